@@ -65,8 +65,8 @@ def design_page(designed: Designed) -> Page:
         file = f"{designed.method}.json"
         why = Say("First save it: add `-o {file}` to this command.", file=file)
         page = replace(page, next=[Next("certify", file, robot=designed.robot.name, why=why)])
-    said = [*designed.reasons, *designed.words]
-    words: list[Block] = [Items(said)] if said else []
+    lines = [*designed.reasons, *designed.words]
+    words: list[Block] = [Items(lines)] if lines else []
     feedback = getattr(designed.record, "feedback", designed.record)
     if isinstance(feedback, Lqr):
         words += _regulator(feedback)

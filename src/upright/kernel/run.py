@@ -155,10 +155,12 @@ def sense_own(w: Any, count: int, plan: Any, sensors: Any, t: int) -> None:
 
 
 @njit
-def read_one(block: RobotBlock, plan: Any, times: Any, sensors: Any, t: int, before: int, now: int, drawn: int) -> int:
-    """The reading at step `now` of the sensor at `t` of the table, which was read at step `before` last. `drawn` says
-    of which step and pair of kinds the rows of noise are, -1: of none; returns that for the next sensor."""
+def read_one(block: RobotBlock, plan: Any, times: Any, sensors: Any, t: int, now: int, drawn: int) -> int:
+    """The reading at step `now` of the sensor at `t` of the table. `drawn` says of which step and pair of kinds the
+    rows of noise are, -1: of none; returns that for the next sensor."""
     w, count = block.w, block.robots
+    spell = item(sensors, t + S_SPELL)
+    before = now - (spell if spell > 0 else item(plan, STRIDE)) if now > 0 else -1
     kind, row, every = item(sensors, t + S_KIND), item(sensors, t + S_ROW), item(sensors, t + S_EVERY)
     sample = now // every
     if sample == before // every:
@@ -207,7 +209,7 @@ def sense_all(block: RobotBlock, plan: Any, times: Any, sensors: Any, now: int) 
         if sampled:
             b.copy(w, row + S_LINE + (fresh // every) % item(sensors, t + S_PLACES), row + S_SENSED, count)
         if spell > 0 and now % spell == 0:
-            drawn = read_one(block, plan, times, sensors, t, now - spell if now > 0 else -1, now, drawn)
+            drawn = read_one(block, plan, times, sensors, t, now, drawn)
         fresh = (fresh // every + 1) * every
         while -(-fresh // stride) * stride >= fresh + every:
             fresh += every
@@ -221,12 +223,11 @@ def sense_all(block: RobotBlock, plan: Any, times: Any, sensors: Any, now: int) 
 def read(block: RobotBlock, plan: Any, times: Any, sensors: Any, k: int) -> None:
     """Rows `reading`: the readings at the start of period `k`; a sensor without a new sample holds its last reading."""
     now = k * item(plan, STRIDE)
-    before = now - item(plan, STRIDE) if k > 0 else -1
     drawn = -1
     for s in range(item(plan, SENSORS)):
         t = s * SENSOR_COLUMNS
         if item(sensors, t + S_SPELL) == 0:
-            drawn = read_one(block, plan, times, sensors, t, before, now, drawn)
+            drawn = read_one(block, plan, times, sensors, t, now, drawn)
 
 
 @njit
