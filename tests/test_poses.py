@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -18,6 +19,7 @@ from upright.control import lqg
 from upright.diagnose import post_mortem
 from upright.errors import InvalidLog
 from upright.experiment import Drive, Impulse, outcome_of, run
+from upright.experiment.examples import example
 from upright.logs.readers import RawTable, read_table
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -371,3 +373,45 @@ def test_a_gyro_about_another_axis_beside_a_tilt_is_no_robot_on_a_stand() -> Non
     rolled = np.random.Generator(np.random.Philox(9)).normal(0, 0.005, len(log))
     assert "held" in shown(sensor_gyro=rolled)
     assert "held" not in shown(sensor_gyro=rolled, estimate_pitch=log["truth/pitch"] + 0.01)
+
+
+def test_a_fall_begins_with_its_push_and_is_dated_where_programs_stop() -> None:
+    """Pushed at 5 s, and quiet before; it has fallen where the sum of its gyro from there on passes 0.8 rad, to a few
+    rows."""
+    log = example("fall")
+    lean = np.cumsum(np.where(log.t >= 5.0, log["sensor/gyro"], 0.0)) * log.period
+    fell = float(log.t[np.argmax(np.abs(lean) > 0.8)])
+    found = doctor(log)
+    (fall,) = [f for f in found.findings if f.code == "segment/fall"]
+    assert fall.span is not None
+    assert 5.0 <= fall.span[0] < fell
+    (said,) = [line for line in map(str, found.page().lead) if "falls at" in line]
+    told = float(said.replace("\u00a0", " ").split("falls at ")[1].split(" ")[0])
+    assert told == pytest.approx(fell, abs=0.03)
+    assert found.repaired().t[-1] == pytest.approx(4.9, abs=0.05)  # the quiet rows before the push are kept
+
+
+@pytest.mark.needs("shared/cases/motors-off")
+@pytest.mark.parametrize("name", ["freefall", "wrap"])
+def test_of_motors_that_are_off_a_standstill_is_no_error(name: str, shared: Path) -> None:
+    """README of shared/cases: both motors are off in every row."""
+    found = doctor(shared / "cases" / "motors-off" / f"{name}.csv")
+    assert "segment/motors-off" in found.codes()
+    assert not [f for f in found.findings if f.severity == "error"]
+
+
+def test_wheels_that_turn_under_commands_of_zero_do_not_excuse_them() -> None:
+    log = example("excited")
+    still = {name: np.zeros(len(log.t)) for name in log.channels if name.startswith(("command/", "applied/"))}
+    codes = [(f.code, f.channel) for f in doctor(Log(log.t, dict(log.channels) | still, log.units)).findings]
+    assert any(code == "channel/constant" and channel.startswith(("command/", "applied/")) for code, channel in codes)
+
+
+@pytest.mark.needs("shared/cases/motors-off")
+def test_the_post_mortem_sees_the_fall_of_a_log_without_wheels_and_motors(shared: Path) -> None:
+    """Its pitch estimate is above 57 degrees in the last half second, and passes 46 in between."""
+    source = shared / "cases" / "motors-off" / "freefall.csv"
+    rows = np.loadtxt(source, delimiter=",", skiprows=1)
+    passed = 1e-3 * rows[np.argmax(rows[:, 2] > math.degrees(0.8)), 1]
+    found = post_mortem(source, "nxtway-gs")
+    assert found.fell_at == pytest.approx(passed, abs=0.1)  # its rate is made of that angle, whose zero is not known

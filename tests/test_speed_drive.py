@@ -19,11 +19,13 @@ from upright import calibrate, identify, post_mortem
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.certification.recovery import largest_hold, largest_knock
+from upright.checkup.doctor import doctor
 from upright.cli.main import main
 from upright.control import CONTROLLERS, StateFeedback
 from upright.control.delay import sampled
 from upright.control.kalman import kalman_filter
 from upright.errors import DesignFailed, InvalidLog, InvalidRobot, SpecMismatch
+from upright.excitation.design import excite
 from upright.experiment.outcome import outcome_of
 from upright.experiment.pushes import Hold, Impulse, Push, Slope
 from upright.experiment.run import run
@@ -357,3 +359,15 @@ def test_the_commands_of_the_page_run_and_say_what_it_says(long, tmp_path, monke
     assert "motors slipped at" in said
     assert (tmp_path / "steps.ino").exists()
     assert len(PAGE.read_text("utf-8").split()) <= 700
+
+
+def test_no_next_command_and_no_search_of_what_a_speed_drive_lacks() -> None:
+    """Nothing is learnt from its log yet: who asks is told so first, and the doctor sends nobody there."""
+    robot = Robot.preset("stepper")
+    with pytest.raises(InvalidLog, match="driven by wheel speed, is not examined yet"):
+        excite("lqg", robot)
+    kit = Kit.preset(robot.kit_name)
+    log = run(Electronics(NonlinearBody(robot), kit), CONTROLLERS["lqg"](robot, kit, kit.period),
+              Impulse(impulse=0.05, start=1.0), seconds=4.0)  # fmt: skip
+    verbs = {step.verb for step in doctor(log, robot=robot).page().next}
+    assert not verbs & {"excite", "calibrate"}

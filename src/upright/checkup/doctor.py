@@ -266,6 +266,7 @@ def _examine(raw: Record, robot: Robot | None, progress: Progress) -> tuple[list
     The poses are read again after every repair, since those before it are of a gyro that may be in another unit.
     """
     record, findings = raw, list[Finding]()
+    commands = raw.commands or ()
     stages = _stages(robot)
     done, total = 0, sum(len(stage) for stage in stages)
     for stage in stages:
@@ -280,6 +281,8 @@ def _examine(raw: Record, robot: Robot | None, progress: Progress) -> tuple[list
             if stage is stages[_TIMED] or (record.segments and changed):
                 record = replace(record, segments=poses.segments(record))
         findings += fresh
+    if sensors.idle(raw):  # which a pose tells; wheels and commands that stay as they are follow from it
+        findings = [f for f in findings if f.code != "channel/constant" or f.channel not in (LEFT, RIGHT, *commands)]
     return findings, record
 
 

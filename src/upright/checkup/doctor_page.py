@@ -11,6 +11,7 @@ from upright.checkup import sensors
 from upright.checkup.finding import (
     BALANCING,
     CONTRADICTORY,
+    FALLING,
     GYRO,
     LEFT,
     ON_WHEELS,
@@ -21,6 +22,7 @@ from upright.checkup.finding import (
     instant,
 )
 from upright.checkup.titles import CHANNELS, CHECKS, POSES, check_of, place_of, title_of
+from upright.checkup.wheels import passed_stop
 from upright.logs.mapping import GUESS, Source
 from upright.pages import (
     MOST_NUMBERS,
@@ -119,7 +121,7 @@ def _lead(result: LogExamined) -> list[Say]:
     lead: list[Say] = []
     balanced = _balanced(result)
     facts = {"balanced": Quantity(balanced, "s"), "seconds": Quantity(result.seconds, "s")}
-    falls = [f.span[0] for f in result.faults if f.code == FALL and f.span]
+    falls = [passed_stop(result.read, s) for s in result.segments if s.kind == FALLING]
     if balanced and falls:
         lead.append(Say("The robot balances for {balanced} and falls at {at}.", **facts, at=instant(falls[0])))
     elif balanced >= result.seconds:  # a part counts the period of its last row too
@@ -131,6 +133,8 @@ def _lead(result: LogExamined) -> list[Say]:
         lead.append(Say("A repair removes the fault."))
     elif n:
         lead.append(Say("A repair removes {n} of {m} faults.", n=n, m=len(result.faults)))
+    elif _has(result, PUSHED) and "push/force" in result.read:
+        lead.append(Say("Pushes bend a model of it."))
     elif _has(result, PUSHED):
         lead.append(Say("Pushes that the log does not name bend a model of it."))
     return lead
@@ -230,12 +234,21 @@ def _next(result: LogExamined) -> list[Next]:
         steps.append(Next("doctor", log, fix="repaired.csv", why=Say("It writes the repaired log.")))
     if fell:
         steps.append(Next("post_mortem", log, robot=robot, why=Say("It finds why the robot fell.")))
+    elif _by_speed(result):
+        why = Say("Nothing is learnt yet from a log of a speed drive: a model simulates it.")
+        steps.append(Next("simulate", robot=robot, why=why))
     elif _has(result, QUIET) or _has(result, PUSHED):
         steps.append(Next("excite", robot=robot, output="plan.json", why=Say("It designs the signal to log next.")))
     learns = Say("It estimates the numbers of this robot from the log.")
     if result.robot:
         learns = Say("It estimates the numbers of {robot}, which the log names.", robot=robot)
     return steps or [Next("calibrate", log, robot=robot, output="robot.toml", why=learns)]
+
+
+def _by_speed(result: LogExamined) -> bool:
+    """Whether the log is of a speed drive, from whose logs nothing is learnt yet."""
+    record = result.read
+    return bool(record.commands) and record.units.get(record.commands[0]) == "rad/s"
 
 
 def _picture(result: LogExamined) -> Picture | None:

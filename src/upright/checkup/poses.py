@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.arrays import Mask
+from upright.checkup.body import bodily
 from upright.checkup.finding import (
     BALANCING,
     FALLEN,
@@ -21,13 +22,11 @@ from upright.checkup.finding import (
     FORWARD,
     GYRO,
     HELD,
-    LEFT,
     LYING,
     MOVED,
     OFF,
     OVER,
     PITCH,
-    RIGHT,
     RISING,
     STANDING,
     UP,
@@ -35,7 +34,7 @@ from upright.checkup.finding import (
     Record,
     Segment,
 )
-from upright.checkup.physics import Resampled, resampled, smooth, widths
+from upright.checkup.physics import Resampled, smooth, widths
 from upright.checkup.time import LONGEST
 from upright.logs.outliers import grain_of, runs
 
@@ -77,15 +76,6 @@ class Lean:
     absolute: bool
     quiet: Mask
     calm: Mask
-
-
-def bodily(record: Record) -> Resampled | None:
-    """`resampled`; where a log has a tilt estimate and not both encoders, without wheels, since the body alone tells
-    most poses."""
-    if PITCH not in record or {LEFT, RIGHT} <= record.channels.keys():
-        return resampled(record)
-    m = resampled(record.changed(dict.fromkeys((LEFT, RIGHT), np.zeros(len(record.t)))))
-    return replace(m, wheels=False) if m else None
 
 
 def segments(record: Record) -> tuple[Segment, ...]:
@@ -326,7 +316,7 @@ def _upright(
         return [(MOVED if idle or to_floor else RISING, a, b)]
     first = a + int(up[0])
     falls = to_floor or _ends_falling(lean.angle[first:b], m.period)
-    last = first + _fall_start(lean.angle[first:b], m.period) if falls else b
+    last = first + _leaves(lean.angle[first:b], m.period) if falls else b
     lasting = off[a:b] if idle else _lasting(off[a:b], m.period, _LONG)
     doing = np.where(lasting, 3, np.where(spinning, 2, lean.calm)[a:b])[first - a : last - a]
     parts = _stretches(doing) if last > first else ()
@@ -351,6 +341,14 @@ def _fall_start(angle: Array, period: float) -> int:
     inward = np.diff(smooth(angle[: start + 1], period, 2 * period)) * np.sign(angle[-1]) <= 0 if start else np.zeros(0)
     start = int(np.flatnonzero(inward)[-1]) + 1 if inward.any() else 0
     return start if start * period > _SHORTEST else 0
+
+
+def _leaves(angle: Array, period: float) -> int:
+    """Where a fall leaves what the rows before it show: the last row of a lean that the robot had before the fall, too;
+    0 in a log that is little else. A swing within which a push comes is none of the fall."""
+    size = np.abs(angle)
+    start = _fall_start(angle, period)
+    return int(np.flatnonzero(size <= size[:start].max())[-1]) if start else 0
 
 
 def _ends_falling(angle: Array, period: float) -> bool:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from upright.arrays import Mask
+from upright.checkup.body import bodily
 from upright.checkup.delays import CLEAR
 from upright.checkup.finding import (
     FALLEN,
@@ -36,7 +37,7 @@ from upright.checkup.finding import (
 )
 from upright.checkup.fixes import beside
 from upright.checkup.physics import FAR, LEAST_ROWS, LOUD, Resampled, motion, resampled, smooth, widths
-from upright.checkup.poses import at_rest, bodily, lean_of, other_zero
+from upright.checkup.poses import at_rest, lean_of, other_zero
 from upright.logs.outliers import runs
 from upright.pages import Quantity, Say
 

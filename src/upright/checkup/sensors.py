@@ -41,6 +41,13 @@ REPEATED = 0.01  # [1] of the rows in which a channel moves
 _SENSED = (LEFT, RIGHT, GYRO, "sensor/compass", FORWARD, UP, PITCH)
 
 
+def idle(record: Record) -> bool:
+    """Whether the motors are off in every row: no command is any, and both wheels are logged and stand still."""
+    logged = [*(record.commands or ()), LEFT, RIGHT]
+    rest = [name in record and bool(np.isfinite(record[name]).all()) and np.ptp(record[name]) == 0 for name in logged]
+    return record.commands is not None and all(rest) and not any(record[name].any() for name in record.commands)
+
+
 def dead(record: Record) -> list[Finding]:
     """Channels without a number, with holes, or that never change while others do."""
     commands = record.commands or ()

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.checkup.body import bodily
 from upright.checkup.delays import CLEAR
 from upright.checkup.finding import GAP, GYRO, LEFT, PITCH, Array, Finding, Fix, Record, note, warning
 from upright.checkup.physics import REACH, motion, smooth, trimmed, widths
-from upright.checkup.poses import LARGEST_OFFSET, bodily, lean_of
+from upright.checkup.poses import LARGEST_OFFSET, lean_of
 from upright.checkup.segments import on_wheels
 from upright.pages import Quantity, Say
 

@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from upright.checkup.body import bodily
 from upright.checkup.finding import FALLING, FEWEST, LEANING, ON_WHEELS, Record, Segment, during, in_a_line, instant
-from upright.checkup.poses import segments
+from upright.checkup.poses import NEAR_FLOOR, lean_of, segments
 from upright.checkup.time import unit
 from upright.checkup.titles import POSES
 from upright.checkup.wrapped import wrapped
@@ -16,6 +17,7 @@ from upright.logs.outliers import in_words
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
 from upright.pages import Say
+from upright.robots.kit import STOP
 from upright.signals import SIDES, Log
 
 FITTED = (*ON_WHEELS, FALLING)
@@ -33,6 +35,16 @@ def record_of(log: Log) -> Record:
         if rate in log:
             channels[angle] = np.cumsum(np.nan_to_num(log[rate]) * steps)
     return Record(log.t, channels, log.units)
+
+
+def passed_stop(record: Record, fall: Segment) -> float:
+    """When [s] in this `fall` the lean passed `STOP`, at which every program stops its motors; where the log shows no
+    lean as far, almost the furthest that it shows."""
+    m = bodily(record)
+    assert m is not None
+    rows = (m.t >= fall.start) & (m.t < fall.stop)
+    size = np.abs(lean_of(record, m).angle[rows])
+    return float(m.t[rows][np.argmax(size > min(STOP, NEAR_FLOOR * float(size.max())))])
 
 
 def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, Say | None]:

@@ -18,7 +18,7 @@ SCHEMA = "upright/post-mortem/2"
 class FallExamined:
     """Why a robot fell: the `verdict` is the likeliest of `causes`, "it did not fall" or "cannot tell".
 
-    `fell_at` is when its lean passed 0.7 rad for good, `onset` when the trouble began [s] (NaN where there is none);
+    `fell_at` is when its lean passed `STOP` for good, `onset` when the trouble began [s] (NaN where there is none);
     `missing` names what the log would have to hold for more. `misfit` is the size of the innovations before the fall
     over that which the given robot's model expects (NaN: unknown). `series` are the last seconds, for drawing.
     """

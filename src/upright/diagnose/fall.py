@@ -19,10 +19,10 @@ from upright.logs.recording import commanded
 from upright.pages import Say
 from upright.physics.linear import linearise_rolling
 from upright.robots import Kit, Robot, Sensor
+from upright.robots.kit import STOP
 from upright.signals import Log
 
-FELL = 0.8  # [rad] lean at the end of a log that only falling robots have, unless they swung as far before
-LEANING = 0.7  # [rad] lean that counts as the fall: up to it the seconds before are examined
+LEANING = 0.7  # [rad] up to which the seconds before a fall are examined: short of the stop of every program
 LOST_END = 0.2  # [s] before the log's end at which the filter has stopped where the robot toppled
 PLAUSIBLE = 0.4  # [rad] of the filter's pitch where a fall begins: beyond, the filter has lost the robot
 STUCK = 0.2  # [s] up to the fall, of one and the same reading: a moving robot repeats itself a few times at most
@@ -41,22 +41,29 @@ RATE_OVER = 0.05  # [s] of a wheel's rate: a step of one degree is then 0.35 rad
 STILL_GRAINS = 2  # encoder steps that wheels must turn before a repeated reading cannot be true
 
 
-def fall_time(run: FilterRun) -> float | None:
-    """When the lean passed `LEANING` for the last time [s] before the log ends or the robot lies; None without a fall.
+def fall_time(run: FilterRun, level: float = LEANING) -> float | None:
+    """When the lean passed `level` [rad] for the last time [s] before the log ends or the robot lies; None without a
+    fall.
 
-    Either the integrated motion falls (`doctor.poses`), whatever its shape, or the filter's pitch ends beyond `FELL`.
+    Either the integrated motion falls (`doctor.poses`), whatever its shape, or the filter's pitch ends beyond `STOP`.
     """
     fallen = falling_lean(run)
     if fallen is not None:
         t, lean = fallen
-        out = np.abs(lean) > min(LEANING, NEAR_FLOOR * float(np.abs(lean).max()))  # of a gyro whose scale is wrong
+        out = np.abs(lean) > min(level, NEAR_FLOOR * float(np.abs(lean).max()))  # of a gyro whose scale is wrong
         return float(t[np.argmax(out)])
     pitch = run.after[:, 0]
     lost = run.t[-1] < run.log.t[-1] - LOST_END
-    if abs(pitch[-1]) < FELL and not lost:
+    if abs(pitch[-1]) < STOP and not lost:
         return None
-    upright = np.flatnonzero(np.abs(pitch) < LEANING)
+    upright = np.flatnonzero(np.abs(pitch) < level)
     return float(run.t[upright[-1]])
+
+
+def fell_at(run: FilterRun, end: float) -> float:
+    """When a robot had fallen [s] whose fall is examined up to the `end` [s]: at the lean at which every program stops
+    its motors, where that end is at `LEANING`."""
+    return fall_time(run, STOP) or end if end == fall_time(run) else end
 
 
 def falling_lean(run: FilterRun) -> tuple[Array, Array] | None:

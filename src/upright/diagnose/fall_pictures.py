@@ -9,9 +9,9 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.diagnose.causes import KNOWN, Blow
-from upright.diagnose.fall import LEANING
 from upright.pages import Quantity, Say
 from upright.plotting import INK, line, panels, span
+from upright.robots.kit import STOP
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -36,7 +36,7 @@ def last_seconds(result: FallExamined, push: Blow | None = None, lost: float | N
     degrees = np.degrees(s.pitch)
     line(pitch, str(Say("pitch")), s.t, degrees, style=0, solid=True)
     low, high = float(np.nanmin(degrees)), float(np.nanmax(degrees))
-    fallen = math.degrees(LEANING)
+    fallen = math.degrees(STOP)
     for level in (-fallen, fallen):
         if low < level < high:
             _level(pitch, s.t, level, Say("{lean}: fallen", lean=Quantity(math.radians(level), "rad", digits=2)))

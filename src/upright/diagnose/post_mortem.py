@@ -19,11 +19,12 @@ import numpy as np
 
 from upright.checkup.doctor import contradictions
 from upright.checkup.finding import FEWEST as FEWEST_POSES
+from upright.checkup.wheels import passed_stop, record_of
 from upright.control import Controller, controller_hash, find_controller
 from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE
 from upright.diagnose.evidence import FOREIGN, Evidence, gather
 from upright.diagnose.examined import FallExamined
-from upright.diagnose.fall import against, last_fall
+from upright.diagnose.fall import against, fell_at, last_fall
 from upright.diagnose.remedy import UNTIL, timed_out
 from upright.diagnose.saved import with_saved
 from upright.diagnose.series import Series, series_of
@@ -85,14 +86,9 @@ def post_mortem(
     kind, mark = (controller.spec.kind, controller_hash(controller)) if controller else ("", "")
     head: dict[str, Any] = {"robot": nominal.name, "kit": parts.name, "rows": len(log), "controller": kind}
     head |= {"hash": mark, "source": fspath(source) if isinstance(source, str | PathLike) else ""}
-    if missing := missing_channels(log):
-        return PostMortem(
-            verdict=CANNOT_TELL, causes=(), fell_at=math.nan, onset=math.nan, missing=missing, notes=(),
-            series=Series.none(), **head,
-        )  # fmt: skip
     check_drive(log, nominal)
-    if _off(log):
-        return _without_motors(log, head)
+    if (untold := _untold(log, head)) is not None:
+        return untold
     if (short := _short(log, head) if len(log) < FEWEST else None) and short.verdict != CANNOT_TELL:
         return short
     until = UNTIL.set(time.thread_time() + seconds)
@@ -118,8 +114,9 @@ def post_mortem(
     if unfinished:
         notes = (UNFINISHED.about(seconds=Quantity(seconds, "s"), longer=round(5 * seconds)), *notes)
     return PostMortem(
-        verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset, missing=missing, notes=notes,
-        series=series_of(run, evidence.fell_at), misfit=math.sqrt(evidence.ordinary), **head,
+        verdict=verdict, causes=causes, fell_at=fell_at(run, evidence.fell_at), onset=causes[0].onset,
+        missing=missing, notes=notes, series=series_of(run, evidence.fell_at), misfit=math.sqrt(evidence.ordinary),
+        **head,
     )  # fmt: skip
 
 
@@ -128,12 +125,13 @@ def _short(log: Log, head: dict[str, Any]) -> PostMortem:
     if len(log) < FEWEST_POSES:
         raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST_POSES} to see a fall")
     fall = last_fall(log)
-    causes = reversed_causes(against(log, fall), fall.start) if fall else ()
+    fell, onset = _by_body(log)
+    causes = reversed_causes(against(log, fall), onset) if fall else ()
     too_few = Say("{n} rows", n=FEWEST)
     return PostMortem(
         verdict=causes[0].name if causes else CANNOT_TELL if fall else NO_FALL, causes=causes,
-        fell_at=fall.stop if fall else math.nan, onset=fall.start if fall else math.nan,
-        missing=(too_few,) if fall and not causes else (), notes=(Say("The log has only {n} rows.", n=len(log)),),
+        fell_at=fell, onset=onset, missing=(too_few,) if fall and not causes else (),
+        notes=(Say("The log has only {n} rows.", n=len(log)),),
         series=Series.none(), **head,
     )  # fmt: skip
 
@@ -144,15 +142,30 @@ def _off(log: Log) -> bool:
     return bool(prefix) and not any(np.nan_to_num(log[f"{prefix}/{side}"]).any() for side in SIDES)
 
 
-def _without_motors(log: Log, head: dict[str, Any]) -> PostMortem:
-    """Whether a robot fell whose motors are off: why is no question then."""
-    fall = last_fall(log) if len(log) >= FEWEST_POSES else None
-    notes = (Say("Both commands are 0 in every row: without motors every robot falls.") if fall else SIDEWAYS,)
+def _untold(log: Log, head: dict[str, Any]) -> PostMortem | None:
+    """Whether a robot fell whose motors are off, when why is no question, or whose log lacks what would tell why; None
+    of any other."""
+    missing = missing_channels(log)
+    fell, onset = _by_body(log)
+    if missing and not (_off(log) and math.isfinite(fell)):
+        return PostMortem(
+            verdict=CANNOT_TELL, causes=(), fell_at=fell, onset=onset, missing=missing, notes=(),
+            series=Series.none(), **head,
+        )  # fmt: skip
+    if not _off(log):
+        return None
+    fallen = math.isfinite(fell)
+    notes = (Say("Both commands are 0 in every row: without motors every robot falls.") if fallen else SIDEWAYS,)
     return PostMortem(
-        verdict=CANNOT_TELL if fall else NO_FALL, causes=(), fell_at=fall.stop if fall else math.nan,
-        onset=fall.start if fall else math.nan, missing=(Say("motors at work"),) if fall else (), notes=notes,
-        series=Series.none(), **head,
+        verdict=CANNOT_TELL if fallen else NO_FALL, causes=(), fell_at=fell, onset=onset,
+        missing=(Say("motors at work"),) if fallen else (), notes=notes, series=Series.none(), **head,
     )  # fmt: skip
+
+
+def _by_body(log: Log) -> tuple[float, float]:
+    """When a robot fell, and when that began [s], by the motion of its body alone; NaN where that shows no fall."""
+    fall = last_fall(log) if len(log) >= FEWEST_POSES else None
+    return (passed_stop(record_of(log), fall), fall.start) if fall else (math.nan, math.nan)
 
 
 def _wiring(log: Log, verdict: str) -> tuple[Say, ...]:

@@ -25,7 +25,6 @@ from upright.diagnose.causes import (
     Blow,
     Cause,
 )
-from upright.diagnose.fall import LEANING
 from upright.diagnose.fall_pictures import last_seconds
 from upright.diagnose.usual import FOREIGN
 from upright.pages import (
@@ -43,6 +42,7 @@ from upright.pages import (
     Table,
     Verdict,
 )
+from upright.robots.kit import STOP
 
 if TYPE_CHECKING:
     from upright.diagnose.examined import FallExamined
@@ -103,7 +103,7 @@ def _verdict(result: FallExamined) -> Verdict:
 
 def _lead(result: FallExamined, push: Blow | None) -> list[Say]:
     if not result.fell:
-        return [Say("A fall is a lean beyond {lean} that lasts.", lean=Quantity(LEANING, "rad", digits=2))]
+        return [Say("A fall is a lean beyond {lean} that lasts.", lean=Quantity(STOP, "rad", digits=2))]
     if push:
         facts = {"size": Quantity(abs(push.impulse), "N s", digits=2), "at": instant(push.start)}
         threw = Say("A push of {size} forward at {at} most likely threw it over.", **facts)

@@ -19,6 +19,7 @@ from upright.excitation.loop import ExcitedLoop
 from upright.excitation.plan import ExcitationPlan
 from upright.excitation.planned import Limits
 from upright.excitation.search import Search
+from upright.logs.recording import check_examined
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Family, Uncertainty, at_medians
@@ -60,6 +61,7 @@ def excite(
     show = progress or unwatched
     nominal, unknown = at_medians(find_robot(robot), posterior)
     parts = find_kit(kit or nominal.kit)
+    check_examined(nominal)
     holding = find_controller(controller, nominal, parts, parts.period)
     check_within("seconds of excitation", seconds, 0, LONGEST)
     design = Search(ExcitedLoop(nominal, parts, holding, seconds, seed), limits or Limits(), tuple(known), tuple(focus))

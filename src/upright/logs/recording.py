@@ -128,14 +128,19 @@ def check_clock(log: Log) -> None:
         )  # fmt: skip
 
 
-def check_unit(log: Log, prefix: str, robot: Robot) -> None:
-    """Raise `InvalidLog` for commands in volts to a robot that gets torques, or torques to one that gets volts, and for
-    every log of a speed drive, which no method here examines yet."""
+def check_examined(robot: Robot) -> None:
+    """Raise `InvalidLog` for a robot of whose logs nothing is learnt yet."""
     if robot.drive == "speed":
         raise InvalidLog(
             f"a log of '{robot.name}', which is driven by wheel speed, is not examined yet",
             expected="a robot that is driven by voltage or torque",
         )
+
+
+def check_unit(log: Log, prefix: str, robot: Robot) -> None:
+    """Raise `InvalidLog` for commands in volts to a robot that gets torques, or torques to one that gets volts, and for
+    every log of a speed drive, which no method here examines yet."""
+    check_examined(robot)
     unit = log.unit(f"{prefix}/left")
     if unit == "1" and any(log[f"{prefix}/{side}"].any() for side in SIDES):
         raise InvalidLog(
