@@ -311,7 +311,7 @@ def test_a_sketch_fuses_the_angle_and_commands_what_the_design_does(number, tmp_
 
 
 def test_a_sketch_is_refused_without_the_filters_time():
-    with pytest.raises(InvalidController, match=r"fuses its angle.*sensors.pitch.time_constant"):
+    with pytest.raises(InvalidController, match=r"comes from its chip.*fuses.*sensors.pitch.time_constant"):
         generate(pid_angle(ROBOT, KIT, **CLASSIC), ROBOT, KIT, "arduino")
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 import threading
 import time
 from collections.abc import Mapping
@@ -19,6 +20,7 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.certification.checks import TrialSetup, kernel_controller
 from upright.certification.recovery import KNOCK_DURATION
 from upright.certification.verdict import LinearMargins, linear_margins
+from upright.cli.main import main
 from upright.control import CONTROLLERS, controller_hash, lqg, make_controller
 from upright.control.files import read_controller
 from upright.control.tunable import UNITS, WIDTH
@@ -372,3 +374,10 @@ def test_an_interrupted_tuning_goes_on_to_the_same_bytes(tmp_path: Path) -> None
 def test_what_cannot_be_tuned_is_reported(method: str, changes: dict[str, Any], part: str) -> None:
     with pytest.raises(UprightError, match=part):
         tune(method, NXT, **changes)
+
+
+def test_the_help_names_every_method_that_can_be_tuned(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["tune", "--help"]) == 0
+    listed = re.search(r"Method: ([^.]+)\.", " ".join(capsys.readouterr().out.split()))
+    assert listed
+    assert set(re.split(r", | or ", listed[1])) == {name for name, method in CONTROLLERS.items() if method.tunable}

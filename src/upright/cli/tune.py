@@ -16,7 +16,9 @@ from upright.progress import progress
 def tune(
     method: Annotated[
         str,
-        typer.Argument(help="Method: lqr, lqi, lqg, pid, hinf, mpc or sliding.", autocompletion=complete_tunable),
+        typer.Argument(
+            help="Method: lqr, lqi, lqg, pid, pid-angle, hinf, mpc or sliding.", autocompletion=complete_tunable
+        ),
     ],
     *,
     robot: str = "nxtway-gs",

@@ -151,9 +151,9 @@ def _fused(program: Program, kit: Kit, number: str) -> dict[str, float] | None:
     time = kit.sensors[PITCH].time_constant
     if not time:
         raise InvalidController(
-            f"kit '{kit.name}' does not say how a sketch fuses its angle",
-            expected="the filter's time constant",
-            hint="[sensors.pitch.time_constant] in the kit's file, such as 0.5 s",
+            f"the angle of kit '{kit.name}' comes from its chip, and no sketch is written for that",
+            expected="an angle that the sketch fuses of gyro and accelerometer",
+            hint="the time of its filter as [sensors.pitch.time_constant] in the kit's file, such as 0.5 s",
         )
     bits = fractions(program)["gyro_offset"] if number == "fixed" else 0
     return {
