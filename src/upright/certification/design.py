@@ -157,8 +157,10 @@ class Designed(Result):
         run, loop = self.release, self.analysis
         if not (run and loop and run.fell_at is not None and (loop.stable or loop.free)):
             return []
-        others = reliefs(self.robot, self.kit, run.lean)
-        stood = [word for word, *other in others if let_go(self.controller, *other).fell_at is None]
+        stood = list[Say]()
+        for word, robot, kit, lean in reliefs(self.robot, self.kit, run.lean):
+            if let_go(self.controller, robot, kit, lean).fell_at is None:
+                stood.append(word)
         return stood or [Say("The linear loop stands; no single fault of sensors or motors decides the fall.")]
 
     @cached_property

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.arrays import Mask
-from upright.checkup.body import bodily
+from upright.checkup.body import bent, bodily, commonest, noise_of
 from upright.checkup.finding import (
     BALANCING,
     FALLEN,
@@ -78,14 +78,17 @@ class Lean:
     calm: Mask
 
 
-def segments(record: Record) -> tuple[Segment, ...]:
-    """The poses of a log in the order of time, without gaps between them; none for a log without gyro and tilt, or
-    without tilt and encoders, or that is too slow to show a robot balancing."""
+def segments(record: Record, *, swung: bool = False) -> tuple[Segment, ...]:
+    """The poses of a log in the order of time, without gaps between them, a fall with the swing in which it begins if
+    `swung`; none for a log without gyro and tilt, or without tilt and encoders, or that is too slow to show a robot
+    balancing."""
     m = bodily(record)
     if m is None or m.gyro is None or m.period > LONGEST:
         return ()
     lean = lean_of(record, m)
-    parts = _merged(_labelled(m, lean, _spinning(record, m, lean.quiet), _off(record, m, lean.calm)), m.period)
+    parts = _merged(
+        _labelled(m, lean, _spinning(record, m, lean.quiet), _off(record, m, lean.calm), swung=swung), m.period
+    )
     return tuple(_segment(m, lean, kind, a, b) for kind, a, b in parts)
 
 
@@ -103,26 +106,13 @@ def at_rest(m: Resampled) -> tuple[Mask, Mask]:
     left, right = (np.abs(smooth(wheel, m.period, 2 * m.period, 1)) for wheel in (m.left, m.right))
     moved = uniform_filter1d(left + right, count, mode="constant")
     calmed = smooth(m.gyro, m.period, _CALMED)
-    swings = np.minimum(np.abs(calmed), np.abs(calmed - _commonest(calmed)))  # at rest it reads zero, or its offset
+    swings = np.minimum(np.abs(calmed), np.abs(calmed - commonest(calmed)))  # at rest it reads zero, or its offset
     level = max(0.02 * float(np.percentile(left + right, 95)), 1e-6)
     left_over = noise_of(m.gyro) * min(1.0, np.sqrt(m.period / (2 * np.sqrt(np.pi) * _CALMED)))
     usual = float(np.percentile(swings, 80))
     most = _CALM * usual if usual > 3 * left_over else np.inf  # what shakes at half the sampling rate is no noise
     quiet = swings < min(max(4 * left_over, _REST * usual), most)
     return _lasting(quiet, m.period), _lasting(quiet & (moved < level) & m.wheels, m.period)
-
-
-def _commonest(values: Array) -> float:
-    """The middle of the shortest interval that holds a third of the values."""
-    ordered, count = np.sort(values), max(2, len(values) // 3)
-    widths = ordered[count - 1 :] - ordered[: len(ordered) - count + 1]
-    first = int(np.argmin(widths))
-    return float(ordered[first] + ordered[first + count - 1]) / 2
-
-
-def noise_of(rate: Array) -> float:
-    """Standard deviation of white noise, from second differences, to which motion contributes little."""
-    return float(np.median(np.abs(np.diff(rate, 2))) / 0.6745 / np.sqrt(6)) if len(rate) > 3 else 0.0
 
 
 def _lasting(mask: Mask, period: float, least: float = _STILL) -> Mask:
@@ -166,17 +156,11 @@ def _spinning(record: Record, m: Resampled, quiet: Mask) -> Mask:
     for a, b in runs(quiet):
         windows = [slice(i, i + count) for i in range(a, b - count + 1, max(1, count // 2))]
         spinning[a:b] = any(
-            scale * _bent(speed[w]) > max(_SPUN, *(sum(_bent(part[w]) for part in parts) for parts in carried))
+            scale * bent(speed[w]) > max(_SPUN, *(sum(bent(part[w]) for part in parts) for parts in carried))
             for w in windows
             for speed in speeds
         )
     return spinning
-
-
-def _bent(values: Array) -> float:
-    """The range of values about their line."""
-    x = np.arange(len(values)) - (len(values) - 1) / 2
-    return float(np.ptp(values - x * float(x @ values) / float(x @ x)))
 
 
 def other_zero(angle: Array, quiet: Mask) -> float:
@@ -282,7 +266,7 @@ def _usual(swing: Array, moving: Mask, period: float) -> Array:
     return np.interp(np.arange(n), at, values) if at else np.full(n, float(np.median(swing[rows])))
 
 
-def _labelled(m: Resampled, lean: Lean, spinning: Mask, off: Mask) -> list[tuple[str, int, int]]:
+def _labelled(m: Resampled, lean: Lean, spinning: Mask, off: Mask, *, swung: bool) -> list[tuple[str, int, int]]:
     """The kinds of pose, row by row, as runs."""
     size, n = np.abs(lean.angle), len(m.t)
     lying = lean.quiet & (size > TIPPED)
@@ -296,7 +280,7 @@ def _labelled(m: Resampled, lean: Lean, spinning: Mask, off: Mask) -> list[tuple
             over = lean.absolute and float(np.median(size[a:b])) > _OVER
             parts.append((OVER if over else LYING if lying[a:b].any() else MOVED, a, b))
         else:
-            parts += _upright(m, lean, spinning, off, a, b, from_floor=a > 0, to_floor=b < n)
+            parts += _upright(m, lean, spinning, off, a, b, from_floor=a > 0, to_floor=b < n, swung=swung)
     return parts
 
 
@@ -306,7 +290,16 @@ def _stretches(mask: NDArray[np.bool_ | np.int64]) -> Iterator[tuple[int, int]]:
 
 
 def _upright(
-    m: Resampled, lean: Lean, spinning: Mask, off: Mask, a: int, b: int, *, from_floor: bool, to_floor: bool
+    m: Resampled,
+    lean: Lean,
+    spinning: Mask,
+    off: Mask,
+    a: int,
+    b: int,
+    *,
+    from_floor: bool,
+    to_floor: bool,
+    swung: bool,
 ) -> list[tuple[str, int, int]]:
     """A stretch off the floor: standing up, balancing and falling, or only moved by hand or thrown."""
     size, idle = np.abs(lean.angle[a:b]), bool(off[a:b].all())
@@ -316,7 +309,8 @@ def _upright(
         return [(MOVED if idle or to_floor else RISING, a, b)]
     first = a + int(up[0])
     falls = to_floor or _ends_falling(lean.angle[first:b], m.period)
-    last = first + _leaves(lean.angle[first:b], m.period) if falls else b
+    begins = _fall_start if swung else _leaves
+    last = first + begins(lean.angle[first:b], m.period) if falls else b
     lasting = off[a:b] if idle else _lasting(off[a:b], m.period, _LONG)
     doing = np.where(lasting, 3, np.where(spinning, 2, lean.calm)[a:b])[first - a : last - a]
     parts = _stretches(doing) if last > first else ()

@@ -80,8 +80,8 @@ def falling_lean(run: FilterRun) -> tuple[Array, Array] | None:
 
 
 def last_fall(log: Log) -> Segment | None:
-    """The last fall of a log by its integrated motion."""
-    falls = [segment for segment in segments(record_of(log)) if segment.kind == FALLING]
+    """The last fall of a log by its integrated motion, with the swing in which it begins: the filter still holds."""
+    falls = [segment for segment in segments(record_of(log), swung=True) if segment.kind == FALLING]
     return falls[-1] if falls else None
 
 

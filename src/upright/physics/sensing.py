@@ -118,11 +118,10 @@ def _filter(name: str, sensors: Mapping[str, Any]) -> LinearModel:
     if name == PITCH and sensor.time_constant:
         gyro = sensors.get(GYRO, Sensor())
         swing = _filter(GYRO, sensors)
-        A = swing.A
-        B = response(swing.B, gyro)
         lag = sensors.get(UP, Sensor()).gain / sensor.time_constant
-        A = np.block([[-np.eye(1) * lag, swing.C], [np.zeros((len(A), 1)), A]])
-        B = np.block([[response(swing.D, gyro), np.eye(1)], [B, np.zeros((len(B), 1))]])
+        none = np.zeros((len(swing.A), 1))
+        A = np.block([[-np.eye(1) * lag, swing.C], [none, swing.A]])
+        B = np.block([[response(swing.D, gyro), np.eye(1)], [response(swing.B, gyro), none]])
         C = response(np.eye(1, len(A)), sensor)
         return LinearModel(A, B, C, states=("fused", *(f"fused_{state}" for state in swing.states)))
     if name == GYRO and sensor.resonance:
