@@ -75,7 +75,7 @@ def test_a_dead_time_is_not_negative(delay: float, told: bool) -> None:
 def test_what_cannot_be_told_accuses_no_robot() -> None:
     """Not even where a fit beside softer pushes came out as of another robot."""
     refused = replace(fitted(), refused=(Say("The log is of another robot."),))
-    knocked = [Knocks((3.0,), length=10.0, used=9.0, asked=True)]
+    knocked = [Knocks((3.0,), length=10.0, used=9.0, enough=True)]
     assert _unknown(fitted(), [], knocked, cut=True) is None
     why = _unknown(refused, [], knocked, cut=True)
     assert why

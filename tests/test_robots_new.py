@@ -87,7 +87,7 @@ def test_what_nobody_tells_is_a_guess_and_each_number_is_explained() -> None:
 
 def test_it_runs_and_is_never_written_over(capsys: pytest.CaptureFixture[str]) -> None:
     assert new("mine") == 0
-    assert "guesses" in capsys.readouterr().out
+    assert "guessed" in capsys.readouterr().out
     assert main(["simulate", "--robot", "mine.toml", "--seconds", "2", "-o", "run.csv"]) == 0
     assert Log.load("run.csv").t[-1] > 1.9
     capsys.readouterr()

@@ -227,9 +227,8 @@ class CalibratedRobot(Result):
         if self.refused:
             if self.untold:
                 return Decision(UNKNOWN, self.refused[0], self.untold)
-            again = Next(
-                "calibrate", *self.sources, why=Say("Measure that number first, and correct the robot's file.")
-            )
+            why = Say("Measure that number first, and correct the robot's file.")
+            again = Next("calibrate", *self.sources, robot="MEASURED.toml", why=why)
             return Decision(REFUSED, self.refused[0], again if self.suspects else Next("doctor", *self.sources[:1]))
         if self.quiet:
             return Decision(UNKNOWN, self.quiet, EXCITE)

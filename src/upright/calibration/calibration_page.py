@@ -124,7 +124,9 @@ def _picture(c: CalibratedRobot) -> Picture | None:
     if not c.free:
         return None
     missed = [channel(name) for name, r2 in c.scores.items() if r2 < GOOD]
-    if missed:
+    if c.decision.verdict == UNKNOWN:
+        claim = Say("Predictions beside readings: a close fit alone proves no number")
+    elif missed:
         claim = Say("Predictions miss part of: {sensors}", sensors=missed)
     elif c.held_out:
         claim = Say("Predictions lie on the readings, also where nothing was fitted")

@@ -40,18 +40,18 @@ MOST_NAMED = 4  # times of knocks in a sentence
 
 class Knocks(NamedTuple):
     """`times` [s] of a log of `length` [s] at which somebody seems to have pushed; of which `used` [s] are left, where
-    these times were cut out: None where that was not `asked`, or too little would be left."""
+    these times were cut out, None elsewhere; and whether `enough` would be left."""
 
     times: tuple[float, ...]
     length: float
     used: float | None
-    asked: bool
+    enough: bool
 
     @property
     def remark(self) -> Say:
         """What they do to the fit, for people."""
         when = [Quantity(t, "s") for t in self.times[:MOST_NAMED]]
-        if self.used is None and self.asked:
+        if not self.enough:
             return Say("What looks like a push at {times} bends the numbers; too little lies between.", times=when)
         if self.used is None:
             return Say("What looks like a push at {times} bends the numbers; try --between-knocks.", times=when)
@@ -219,10 +219,12 @@ def without_knocks(logs: Sequence[Log], robot: Robot, kit: Kit, *, cut: bool) ->
             trace = np.zeros((len(log), 1))
         there = pushed(trace, log.period, KNOCK)
         starts, stops = (np.flatnonzero(np.diff(there.astype(int), prepend=0, append=0) == side) for side in (1, -1))
-        own = _calm(log, there) if len(starts) and cut else [log]
+        calm = _calm(log, there) if len(starts) else [log]
+        enough = calm != [log]
+        own = calm if cut else [log]
         parts += own
         if len(starts):
             times = [float(log.t[a + np.argmax(np.abs(trace[a:b]))]) for a, b in zip(starts, stops, strict=True)]
-            used = sum(map(len, own)) * log.period if own != [log] else None
-            knocks.append(Knocks(tuple(times), len(log) * log.period, used, cut))
+            used = sum(map(len, own)) * log.period if cut and enough else None
+            knocks.append(Knocks(tuple(times), len(log) * log.period, used, enough))
     return parts, knocks

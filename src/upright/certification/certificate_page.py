@@ -149,8 +149,8 @@ def _questions(c: Measurements) -> Table:
         pushes = Say("{pushes}", pushes=[endured.message for endured in c.endured])
         rows.append([Say("How hard may I push it?"), pushes])
     if c.strength:
-        weak = Say("too weak for {beyond} of the {fell} that fell; {what}", beyond=c.beyond, fell=c.fell,
-                   what=c.strength.message)  # fmt: skip
+        weak = Say("too weak for {beyond} of {runs} robots, of which {fell} fell; {what}", beyond=c.beyond,
+                   runs=c.samples, fell=c.fell, what=c.strength.message)  # fmt: skip
         rows.append([Say("Are its motors strong enough?"), weak])
     rows.append([Say("Which numbers of the file are guesses?"), _guesses(c)])
     return Table([Column(Say("question")), Column(Say("answer"))], rows)

@@ -84,7 +84,7 @@ class Narrowing:
     def message(self) -> Say:
         """What would have to be known better."""
         if self.everything:
-            return Say("Known ten times as well, {fell} of {runs} robots would still fall: it is not the spreads.",
+            return Say("Measuring more does not help: of robots known ten times as well, {fell} of {runs} fall.",
                        fell=self.fell, runs=self.runs)  # fmt: skip
         if not self.spreads:
             return Say("No {n} numbers decide: more of them have to be known better.", n=MOST_NAMES)

@@ -34,7 +34,8 @@ def next_step(c: Measurements) -> Next:
         return Next("excite", robot=c.robot, focus=",".join(logged), output="plan.json",
                     why=Say("It plans a run; calibrate on its log tells these numbers."))  # fmt: skip
     if c.to_measure():
-        return Next("certify", asked, robot=c.robot, why=Say("First write what you measured into the robot's file."))
+        return Next("certify", asked, robot="MEASURED.toml",
+                    why=Say("First write what you measured into the robot's file."))  # fmt: skip
     return _mending(c, asked)
 
 
@@ -47,9 +48,10 @@ def _mending(c: Measurements, asked: str) -> Next:
         return Next("certify", asked, robot=c.robot, log="LOG",
                     why=Say("First mend what the log shows, then take a new log."))  # fmt: skip
     if kind == "weak":
-        return Next("certify", asked, robot=c.robot, why=Say("First give the robot a higher gear ratio or battery."))
+        return Next("certify", asked, robot="CHANGED.toml",
+                    why=Say("First give the robot a higher gear ratio or battery."))  # fmt: skip
     if c.linear and c.linear.free and not any("encoder" in name for name in c.subject["kit"]):
-        return Next("certify", asked, robot=c.robot,
+        return Next("certify", asked, robot=c.robot, kit="CHANGED.toml",
                     why=Say("Without encoders no weights resist a steady push: add encoders first."))  # fmt: skip
     if c.controller in TUNABLE:
         return Next("tune", c.controller, robot=c.robot, output="tuned.json", why=WEIGHTS[kind])

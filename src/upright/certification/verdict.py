@@ -303,10 +303,10 @@ def _thin(linear: LinearMargins, period: float) -> list[Reason]:
         slack = Quantity(min(up, down), "fraction", digits=2)
         limit = Quantity(LEAST_GAIN, "fraction")
         if up < down:
-            message = Say("A signal {slack} stronger at {place} makes the loop unstable; the limit is {limit}.",
+            message = Say("A gain {slack} higher at {place} makes the loop unstable; the limit is {limit}.",
                        slack=slack, place=place_of(linear.high_at), limit=limit)  # fmt: skip
         else:
-            message = Say("A signal {slack} weaker at {place} makes the loop unstable; the limit is {limit}.",
+            message = Say("A gain {slack} lower at {place} makes the loop unstable; the limit is {limit}.",
                        slack=slack, place=place_of(linear.low_at), limit=limit)  # fmt: skip
         thin = [Reason("gain", message, Say("gain margin {slack}", slack=slack))]
     if linear.delay >= LEAST_DELAY * period:

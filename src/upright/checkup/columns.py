@@ -337,3 +337,35 @@ def drafted(table: RawTable) -> str:
     return f"{looks(table)}\n{period}{mapping.to_toml()}" + (
         still_to_name(" or ".join(map(english, left)), mapping.channels) if left else ""
     )
+
+
+OF_COUNTS = """
+# unit = "deg"
+# scale = 0.2406              # 360 over the counts of a turn of the wheel, here 1496"""
+OF_GYRO = """
+# unit = "deg/s"
+# scale = 0.00763             # of the chip's range: 1/131, 1/65.5, 1/32.8 or 1/16.4"""
+OF_DUTY = """
+# scale = 0.003922            # 1 over full duty, here 255
+# times = "sensor/battery"    # a duty of the battery: volts"""
+OF_BATTERY = """
+
+# [constants]
+# "sensor/battery" = 11.1     # [V] of the battery while it drove, which no column has"""
+
+
+def to_complete(mapping: Mapping, findings: Sequence[Finding]) -> str:
+    """The mapping as a file, with comments where the findings ask for a number: of counts, a gyro, a duty."""
+    asked = {(finding.code, finding.channel) for finding in findings if not finding.fixes}
+    duty = any(code == "units/command" for code, _ in asked)
+    own = replace(mapping, name="mine") if mapping.name == GUESS else mapping
+    parts = own.to_toml().rstrip().split("\n\n")
+    for k, part in enumerate(parts):
+        name = part.partition('"')[2].partition('"')[0] if part.startswith("[channels") else ""
+        if ("units/counts", name) in asked:
+            parts[k] += OF_GYRO if name == GYRO else OF_COUNTS
+        elif duty and name in COMMANDS:
+            parts[k] += OF_DUTY
+        elif duty and part.startswith("[time]") and "sensor/battery" not in mapping.channels:
+            parts[k] += OF_BATTERY
+    return "\n\n".join(parts) + "\n"

@@ -39,6 +39,7 @@ from upright.pages import (
     Verdict,
 )
 from upright.pages.words import shown_in
+from upright.robots import offered
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -160,9 +161,14 @@ def _numbers(result: LogExamined) -> list[KeyNumber]:
         Say("{what} ({where})", what=title_of(f), where=place_of(f)) for f in _listed(result) if f.severity == "note"
     ]
     if notes and len(numbers) < MOST_NUMBERS:
-        meaning = Say("found, but no fault: {what}", what=[*dict.fromkeys(notes)][:SHOWN])
+        meaning = Say("found, but no fault: {what}", what=_shortened(notes))
         numbers.append(KeyNumber(len(notes), meaning))
     return numbers
+
+
+def _shortened(titles: Sequence[Say]) -> list[Say | str]:
+    several = [*dict.fromkeys(titles)]
+    return [*several[:SHOWN], *(["…"] if len(several) > SHOWN else [])]
 
 
 def _listed(result: LogExamined) -> list[Finding]:
@@ -221,14 +227,18 @@ def _source(source: Source) -> list[str | None]:
 
 def _next(result: LogExamined) -> list[Next]:
     """The repair; why it fell; then a calibration, or what to log for one."""
-    log, robot = result.source or "LOG", result.robot or "ROBOT"
+    log, robot = result.source or "LOG", offered(result.robot)
     fell = _has(result, FALL)
     wrong = _wrong(result)
+    if result.saved:
+        return [Next("doctor", result.saved, why=Say("It examines the repaired log."))]
     if any(finding.code.startswith(MAPPED) for finding in wrong):
+        if result.mapped:
+            return [Next("doctor", log, mapping=result.mapped, why=Say("Complete that file first, as the table says."))]
         why = Say("State there what the table asks for, then repeat with `--mapping`.")
         return [Next("doctor", log, write_mapping="mine.toml", why=why)]
-    if wrong and not fell:
-        return [Next("doctor", log, why=Say("Do what the table says, log again, and ask again."))]
+    if wrong and (not fell or any(finding.severity == "error" for finding in wrong)):
+        return [Next("doctor", "LOG", why=Say("Do what the table says, take a new log, and examine that."))]
     steps: list[Next] = []
     if any(f.fixes for f in result.findings):
         steps.append(Next("doctor", log, fix="repaired.csv", why=Say("It writes the repaired log.")))

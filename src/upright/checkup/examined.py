@@ -16,7 +16,8 @@ class LogExamined:
     """All findings on one log, worst first; `mapping` says which column was read as which channel, `ignored` names the
     others; `segments` are the poses in the order of time.
 
-    `robot` is the one that the log names, if any.
+    `robot` is the one that the log names, if any; `mapped` and `saved` are the files of its mapping and of its repair,
+    where there are such.
     """
 
     source: str
@@ -27,6 +28,8 @@ class LogExamined:
     period: float
     segments: tuple[Segment, ...]
     ignored: tuple[str, ...]
+    mapped: str = ""
+    saved: str = ""
     _raw: Record = field(repr=False)
     _origin: dict[str, Any] = field(repr=False, default_factory=dict[str, Any])
 

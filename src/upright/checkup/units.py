@@ -328,11 +328,16 @@ def _wrong(s: _Suspect, estimated: dict[str, float], *, counts: bool, odds: floa
     if s.about:
         return [error("units/scale", LEFT, evidence, Say("State scale 1 over the wheel's radius in a mapping."))]
     groups = (((GYRO,), s.gyro), ((LEFT, RIGHT), s.encoder))
-    divided = [divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
-    if not counts:
-        return divided
-    either = Say("Divide by {factor}; of counts, state how many are a turn.", factor=plain(s.encoder, 6))
-    return [replace(f, repair=either) if f.channel != GYRO else f for f in divided]
+    findings: list[Finding] = []
+    for channels, factor in groups:
+        if factor == 1:
+            continue
+        facts = {"unit": s.unit, "factor": plain(factor, 6)}
+        repair = Say("Seems to be in {unit}: divide by {factor}.", **facts)
+        if counts and channels != (GYRO,):
+            repair = Say("Divide by {factor}; of counts, state how many are a turn.", **facts)
+        findings.append(replace(divide(channels, evidence, factor), repair=repair))
+    return findings
 
 
 def divide(channels: tuple[str, ...], evidence: Say, divisor: float) -> Finding:

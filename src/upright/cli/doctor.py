@@ -28,7 +28,7 @@ def doctor(
     from dataclasses import replace
 
     from upright.atomic import write_text
-    from upright.checkup.columns import drafted
+    from upright.checkup.columns import drafted, to_complete
     from upright.checkup.doctor import doctor as examine
     from upright.errors import InvalidLog
     from upright.logs.readers import read_table
@@ -50,7 +50,9 @@ def doctor(
         else:
             tell(f"{error}\na draft is in {write_mapping}")
         return
-    diagnosis = replace(diagnosis, source=str(log))  # as it was typed, for what to run next
     repaired = diagnosis.repaired().save(fix) if fix else None
-    mapped = write_text(write_mapping, diagnosis.mapping.to_toml()) if write_mapping else None
+    mapped = write_text(write_mapping, to_complete(diagnosis.mapping, diagnosis.findings)) if write_mapping else None
+    # as it was typed, for what to run next
+    own = write_mapping or (mapping if mapping and mapping.endswith(".toml") else "")
+    diagnosis = replace(diagnosis, source=str(log), mapped=str(own), saved=str(fix or ""))
     out.finish(diagnosis, repaired, mapped)

@@ -18,6 +18,7 @@ from upright.atomic import make_folder, write_json
 from upright.cli.output import AGAINST, goes_on_from, tell
 from upright.cli.vocabulary import MOST_ROBOTS, controllers
 from upright.errors import UnknownName, UprightError, check_within
+from upright.languages import translated
 from upright.messages import in_language
 from upright.reading import expanded, read_json, understood
 
@@ -268,7 +269,7 @@ def _light(study: GuidedStudy) -> str:
 def _conclude(study: GuidedStudy) -> None:
     """The verdict once more, where its pages are, and what is next where the certificate has not said it."""
     light = _light(study)
-    tell(f"\nVerdict: {light}. The pages (.html) in {study.folder.resolve()} show why.")
+    tell(f"\nVerdict: {translated(light)}. The pages (.html) in {study.folder.resolve()} show why.")
     if study.answers["where"] == "here" and light not in ("red", "unknown"):
         program = BRICKS[study.answers["brick"]][1]
         tell(f"Next: connect the brick, hold the robot upright, and: upright fly {program} controller.json")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import shlex
 import shutil
@@ -21,6 +22,7 @@ from upright.errors import UprightError
 from upright.languages import ENGLISH, speaking
 from upright.messages import in_language
 from upright.pages import Next, Page, Say
+from upright.pages.blocks import is_placeholder
 from upright.pages.terminal import WIDTH
 from upright.pages.terminal import text as page_text
 from upright.progress import Progress
@@ -97,14 +99,17 @@ CARRIED = ("robot", "kit", "controller", "mapping", "posterior")
 def continued(page: Page) -> Page:
     """The page whose next commands are for the robot, the kit and the files that were typed."""
     typed = {name: value for name, value in GIVEN.get().items() if name in CARRIED and not isinstance(value, list)}
-    return replace(page, next=[_for_typed(step, typed) for step in page.next])
+    steps = [_for_typed(step, typed) for step in page.next]
+    return replace(page, next=[step for step in steps if not _typed_already(step)])
 
 
 def _for_typed(step: Next, typed: Mapping[str, Any]) -> Next:
     from upright.cli.help import parameters_of
+    from upright.robots import offered
 
     known = parameters_of(step.verb)
-    kept = {name: value for name, value in typed.items() if name in known}
+    changed = {name for name, value in step.options.items() if is_placeholder(value) and value != name.upper()}
+    kept = {name: value for name, value in typed.items() if name in known and name not in changed}
     given = step.given
     method, file = (GIVEN.get().get(name) for name in ("method", "output"))
     if step.verb == "certify" and method and file and step.given[0].startswith(str(method)):
@@ -113,7 +118,36 @@ def _for_typed(step: Next, typed: Mapping[str, Any]) -> Next:
     for name in ("robot", "controller"):
         if name in kept and known[name]:  # of a name or a file that is typed first
             given = [str(kept.pop(name)), *given[1:]]
-    return Next(step.verb, *given, why=step.why, **{**step.options, **kept})
+    options = {name: _free(value) if name in WRITTEN else value for name, value in step.options.items()}
+    if "robot" in options and "robot" not in changed:
+        options["robot"] = offered(options["robot"])
+    return Next(step.verb, *given, why=step.why, **{**options, **kept})
+
+
+WRITTEN = ("output", "fix", "write_mapping")
+"""Options that name a file to write."""
+
+
+def _free(file: str) -> str:
+    """The name of a file that is proposed, or one like it where there is such a file, which is not written over."""
+    path = Path(file)
+    names = (path.with_name(f"{path.stem}-{k}{path.suffix}") for k in itertools.count(2))
+    return file if not path.exists() else str(next(name for name in names if not name.exists()))
+
+
+def _typed_already(step: Next) -> bool:
+    """Whether it asks for nothing but what was typed, be it into another file."""
+    from upright.cli.help import parameters_of
+
+    typed = GIVEN.get()
+    arguments = [typed.get(name) for name, first in parameters_of(step.verb).items() if first]
+    words = [str(word) for value in arguments for word in (value if isinstance(value, list) else [value])]
+    options = ((name, value) for name, value in step.options.items() if not (name in WRITTEN and typed.get(name)))
+    return (
+        step.verb.replace("_", "-") in TYPED.get()
+        and {*step.given} <= {*words}
+        and all(str(typed.get(name)) == value for name, value in options)
+    )
 
 
 def warn_of(robot: Robot) -> None:
@@ -125,20 +159,22 @@ def warn_of(robot: Robot) -> None:
 
 
 def typed_line() -> str:
-    """The command as it was typed, with files and its page without their folders: what stands at the foot of a page."""
+    """The command as it was typed, to be typed again in the same folder: what stands at the foot of a page. Of files
+    elsewhere only the names stand there: a page is passed on, and a folder tells whose machine it was."""
     words = list(TYPED.get())
     kept = (_bare(word, before) for before, word in zip(["", *words], words, strict=False))
     return shlex.join(["upright", *kept]) if words else ""
 
 
 def _bare(word: str, before: str) -> str:
-    """A word of a command; of a file its name without the folder, also behind `--report=` or the `name=` of a log."""
-    if os.sep not in word:
+    """A word of a command; of a file by its whole path what leads there from here, or its name where it is elsewhere,
+    also behind `--report=` or the `name=` of a log."""
+    name, equals, file = word.rpartition("=")
+    if not os.path.isabs(file) or not (before in _WRITTEN or name in _WRITTEN or Path(file).exists()):
         return word
-    if before in _WRITTEN or Path(word).exists():
-        return Path(word).name
-    name, equals, file = word.partition("=")
-    return f"{name}={Path(file).name}" if equals and (name in _WRITTEN or Path(file).exists()) else word
+    path = Path(file)
+    inside = path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path.name
+    return f"{name}{equals}{inside}"
 
 
 _WRITTEN = ("--report", "-o", "--output", "--save")  # what these name may not be there yet

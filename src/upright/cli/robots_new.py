@@ -13,6 +13,7 @@ from upright.cli.command import flag
 from upright.cli.guide import EndOfAnswers, Question, answered
 from upright.cli.output import refuse_existing, tell
 from upright.errors import UprightError
+from upright.languages import number, translated
 from upright.robots.owner import A_GUESS, DRIVE, DRIVES, NONE, OwnerQuestion, owners_files, plain, questions
 
 
@@ -38,9 +39,9 @@ def new(name: Annotated[str, typer.Argument(help="Name of the robot, and of its 
     robot, kit, made = owners_files(path, kit_path, drive, answers)
     write_text(kit_path, kit)
     write_text(path, robot)
-    guesses = (robot + kit).count('spread = "guess"')
-    tell(f"wrote {path} and {kit_path}: {guesses} numbers are guesses, marked so; each says what it is")
-    tell(f"{path.stem} falls at {unstable_pole(made):.3g} 1/s; try: upright simulate --robot {path}")
+    of_robot, of_kit = (text.count('spread = "guess"') for text in (robot, kit))
+    tell(f"wrote {path} with {of_robot} numbers guessed and {kit_path} with {of_kit}; each says what it is")
+    tell(f"{path.stem} falls at {number(unstable_pole(made))} 1/s; try: upright simulate --robot {path}")
 
 
 def _files(name: str) -> tuple[Path, Path]:
@@ -81,15 +82,16 @@ def _answer(name: str, question: OwnerQuestion, given: str | None, *, lacks: boo
     robot lacks what the question is about."""
     guess = question.usual + A_GUESS
     if lacks:
-        if given not in (None, NONE):
+        if given is not None and plain(given) != NONE:
             raise UprightError(f"{flag(name)} without {question.needs}", hint=f"{flag(question.needs)} as well")
         return NONE
     if given is not None:
         question.check(given)
-        return " ".join(given.split())
+        return NONE if plain(given) == NONE else " ".join(given.split())
     if not sys.stdin.isatty():
         return guess
     try:
-        return answered(Question(name, question.asked, guess, question.check))
+        answer = answered(Question(name, question.asked, guess, question.check))
     except EndOfAnswers:
         raise UprightError("no more answers", hint="options, such as --gear 30") from None
+    return NONE if answer == translated(NONE) else answer

@@ -55,6 +55,8 @@ def bench_page(bench: Bench) -> Page:
     verdict = Verdict(held, "good" if bench.held else "bad")
     if take:
         verdict = Verdict(Say("take {name}", name=take), "good")
+        if bench.worse(take, "spread") is None:
+            verdict = Verdict(Say("{name} leads; no falls counted", name=take), "unknown")
     best = take or next(iter(ranked), "")
     return Page(
         _title(bench, take) if knocked else held,

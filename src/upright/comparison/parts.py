@@ -12,6 +12,7 @@ from upright.comparison.runs import METRICS, Compared
 from upright.experiment.described import law_in, name_in, pushes_in_words
 from upright.logs.recording import commanded
 from upright.pages import Cell, Column, Fold, Items, Next, Picture, Quantity, Say
+from upright.robots import offered
 from upright.signals import Log
 
 FRACTIONS = {"1": "fraction"}
@@ -117,4 +118,4 @@ def certify_next(log: Log) -> Next:
     kind = law_in(log.origin)
     law = kind if kind in {method.name for method in OURS} else "CONTROLLER"
     why = Say("It pushes many similar robots, and counts falls.")
-    return Next("certify", law, robot=name_in(log.origin, "robot") or None, why=why)
+    return Next("certify", law, robot=offered(name_in(log.origin, "robot")), why=why)

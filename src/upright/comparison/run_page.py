@@ -19,6 +19,7 @@ from upright.comparison.runs import Compared, Metrics
 from upright.experiment import motionless, outcome_of, undisturbed
 from upright.experiment.described import facts_of, name_in
 from upright.pages import Column, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.robots import offered
 from upright.signals import Log
 
 
@@ -125,7 +126,7 @@ def _picture(comparison: Compared, label: str, still: Say | None) -> Picture:
 
 
 def _next(log: Log, calm: bool) -> Next:
-    robot = name_in(log.origin, "robot") or None
+    robot = offered(name_in(log.origin, "robot"))
     if calm:
         why = Say("A push shows more than noise does.")
         return Next("simulate", robot=robot, push="hold:0.1,until=1", why=why)

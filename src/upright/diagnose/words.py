@@ -193,11 +193,13 @@ def of_low(evidence: Evidence) -> Say:
 def of_high(evidence: Evidence, limit: float) -> Say:
     if math.isfinite(evidence.slid):
         return Say("From {time} on the commands ask more of the floor than it holds.", time=instant(evidence.slid))
-    return Say(
-        "The commands changed their sign {swings} times a second; a high gain shows from {limit} on.",
-        swings=plain(evidence.motors.swings, 1),
-        limit=plain(limit),
-    )
+    facts = {"swings": plain(evidence.motors.swings, 1), "limit": plain(limit)}
+    if evidence.motors.swings < limit:
+        return Say(
+            "The commands changed their sign only {swings} times a second; under a high gain it is {limit} or more.",
+            **facts,
+        )
+    return Say("The commands changed their sign {swings} times a second, as under a high gain.", **facts)
 
 
 def of_pegged(evidence: Evidence) -> Say:

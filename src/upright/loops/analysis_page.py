@@ -98,9 +98,9 @@ def _lead(analysis: Analysis) -> list[Say]:
     others = [] if analysis.fell else _drawn(analysis)
     if least.thin and least.kind != "delay":  # that of a delay is among the numbers
         facts = {"change": Quantity(least.size, "fraction", digits=2), "place": place_of(least.channel)}
-        thin = Say("The thinnest margin: a signal {change} weaker at {place}.", **facts)
+        thin = Say("The thinnest margin: a gain {change} lower at {place} makes the loop unstable.", **facts)
         if least.kind == "stronger":
-            thin = Say("The thinnest margin: a signal {change} stronger at {place}.", **facts)
+            thin = Say("The thinnest margin: a gain {change} higher at {place} makes the loop unstable.", **facts)
         return [thin, *others]
     if n and met < TARGETS and not analysis.fell:
         return [Say("{met} of 5 margins at their usual target, yet all of {n} similar robots are held.", met=met, n=n)]

@@ -119,6 +119,11 @@ class Next:
         return " ".join(words)
 
 
+def is_placeholder(word: str) -> bool:
+    """Whether a word of a command stands for what the reader has: LOG, MEASURED.toml."""
+    return word.partition(".")[0].isupper()
+
+
 Block = Say | Table | Picture | Items | Fold
 
 

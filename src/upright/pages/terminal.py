@@ -97,9 +97,9 @@ def _row(row: Sequence[Text], sizes: Sequence[int]) -> Iterator[str]:
 
 
 def wrapped(line: str, width: int = WIDTH, indent: int = 0) -> str:
-    """A line in `width` columns; a command in backticks that fits into a line of its own stays whole, to be copied."""
+    """A line in `width` columns; a command in backticks stays whole, however long, so that its copy is one command."""
     room = max(width, 40)
-    spared = re.sub(r"`[^`]*`", lambda m: m[0].replace(" ", "\0") if len(m[0]) <= room - indent else m[0], line)
+    spared = re.sub(r"`[^`]*`", lambda m: m[0].replace(" ", "\0"), line)
     lead = " " * (len(line) - len(line.lstrip()))
     lines = textwrap.wrap(
         spared.strip(), room, initial_indent=lead, subsequent_indent=" " * indent, break_on_hyphens=False,

@@ -1,5 +1,6 @@
 """Robots (physical parameters) and kits (electronics), with presets as TOML files."""
 
+from upright.robots.facts import offered as offered
 from upright.robots.kit import Battery as Battery
 from upright.robots.kit import Kit as Kit
 from upright.robots.kit import Motor as Motor

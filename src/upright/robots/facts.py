@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
 from upright.atomic import finite
 from upright.robots.drives import SPEED_DRIVE
 from upright.robots.kit import Kit
-from upright.robots.robot import PARAMETERS, Robot
+from upright.robots.robot import PARAMETERS, Robot, preset_names
 
 Facts = Mapping[str, float | str | None]
 
@@ -73,3 +74,10 @@ def _text(facts: Facts, name: str) -> str:
         return "present" if any(key.startswith(f"{name}/") for key in facts) else "absent"
     value = facts[name]
     return "unlimited" if value is None else f"{value:.12g}" if isinstance(value, float | int) else value or "any"
+
+
+def offered(name: str) -> str:
+    """How a robot whose `name` is read somewhere is named in a command to type, ROBOT where nothing tells its file."""
+    if name in preset_names() or name.endswith((".toml", ".json")):
+        return name
+    return f"{name}.toml" if name and Path(f"{name}.toml").is_file() else "ROBOT"

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from upright.errors import InvalidRobot, UnknownName
+from upright.languages import translated
 from upright.reading import parse_toml
 from upright.robots import toml
 from upright.robots.drives import COMMAND_UNITS
@@ -287,8 +288,9 @@ def file_numbers(drive: str) -> dict[str, FileNumber]:
 
 
 def plain(answer: str) -> str:
-    """An answer without the mark of a guess."""
-    return answer.removesuffix(A_GUESS)
+    """An answer without the mark of a guess; "none" also where it is in the chosen language."""
+    bare = answer.removesuffix(A_GUESS)
+    return NONE if bare == translated(NONE) else bare
 
 
 def owners_files(path: Path, kit_path: Path, drive: str, answers: Mapping[str, str]) -> tuple[str, str, Robot]:

@@ -18,10 +18,11 @@ def robot_page(robot: Robot) -> Page:
     from upright.robots.drawing import labelled
 
     rows = robot.parameters()
-    guesses = sum(row["spread"] is None for row in rows)
-    lead = [Say("{name}", name=robot.title)] if robot.title else []
+    guesses = [row["source"] for row in rows if row["spread"] is None]
+    absent = guesses.count("not stated")
+    lead = [Say("{name}", name=translated(robot.title))] if robot.title else []
     lead.append(Say("Command of each motor: {what}. Kit: {kit}.", what=COMMANDS[robot.drive], kit=robot.kit_name))
-    verdict = Verdict(Say("numbers guessed: {n}", n=guesses), "unknown")
+    verdict = Verdict(Say("numbers guessed: {n}, not stated: {absent}", n=len(guesses) - absent, absent=absent), "unknown")
     if not guesses:
         verdict = Verdict(Say("no number is a guess"), "good")
     return Page(
