@@ -118,8 +118,8 @@ class Support:
         value = Quantity(self.value, self.unit)
         if self.stated is None:
             if self.unit == "s" and self.least < 0 < self.most < self.value:  # a further delay, about none
-                most = Quantity(self.most, "s")
-                return Say("{name} is {value}; the kit's was trusted to {most}", name=self.named, value=value, most=most)
+                facts = {"name": self.named, "value": value, "most": Quantity(self.most, "s")}
+                return Say("{name} is {value}; the kit's was trusted to {most}", **facts)
             return Say("{name} is {value}, assumed {range}", name=self.named, value=value, range=self.assumed)
         stated, deviation = (Quantity(number, self.unit) for number in self.stated)
         return Say("{name} is {value}, in the file {stated} ± {deviation}", name=self.named, value=value,

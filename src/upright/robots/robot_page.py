@@ -20,9 +20,10 @@ def robot_page(robot: Robot) -> Page:
     rows = robot.parameters()
     guesses = [row["source"] for row in rows if row["spread"] is None]
     absent = guesses.count("not stated")
+    facts = {"n": len(guesses) - absent, "absent": absent}
     lead = [Say("{name}", name=translated(robot.title))] if robot.title else []
     lead.append(Say("Command of each motor: {what}. Kit: {kit}.", what=COMMANDS[robot.drive], kit=robot.kit_name))
-    verdict = Verdict(Say("numbers guessed: {n}, not stated: {absent}", n=len(guesses) - absent, absent=absent), "unknown")
+    verdict = Verdict(Say("numbers guessed: {n}, not stated: {absent}", **facts), "unknown")
     if not guesses:
         verdict = Verdict(Say("no number is a guess"), "good")
     return Page(
