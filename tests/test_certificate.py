@@ -173,8 +173,8 @@ def test_a_design_says_of_a_free_place_what_the_certificate_says() -> None:
 @pytest.mark.parametrize(
     ("linear", "trial", "word"),
     [
-        (LinearMargins(0.99, 0.5, 1.02, 0.02), {}, "stronger"),  # 2 % < 4 %
-        (LinearMargins(0.99, 0.97, 3.0, 0.02), {}, "weaker"),  # 3 % < 4 %
+        (LinearMargins(0.99, 0.5, 1.02, 0.02), {}, "higher"),  # 2 % < 4 %
+        (LinearMargins(0.99, 0.97, 3.0, 0.02), {}, "lower"),  # 3 % < 4 %
         (LinearMargins(0.99, 0.5, 2.0, 0.002), {}, "delay"),  # a fifth of the period < a quarter
         (LinearMargins(0.99, 0.5, 2.0, 0.02), {"saturated": 0.3}, "saturated"),
         (LinearMargins(0.99, 0.5, 2.0, 0.02), {"travel": 1.5}, "rolls"),
@@ -264,7 +264,7 @@ def test_motors_too_weak_for_the_spreads_are_distinguished(tmp_path: Path) -> No
     stronger = means(ROBOT, KIT, certificate.strength.battery)
     assert all(recoverable(parameters_of([weak]), stronger, p.push)[0] for p in standard_pushes(ROBOT, KIT).values())
     assert read_certificate(certificate.save(tmp_path / "c.json")) == certificate
-    assert "too weak for 50 of the 50 that fell" in str(certificate)
+    assert "too weak for 50 of 100 robots, of which 50 fell" in str(certificate)
 
 
 @pytest.mark.parametrize("change", [{"light": RED}, {"bound": 0.5}, {"fell": 199}, {"reasons": ["trust me"]}])

@@ -165,7 +165,7 @@ def test_what_is_measured_goes_into_another_file_than_the_one_that_was_typed() -
         "certify lqr", "certify lqg --robot own.toml", "certify pid --robot own.toml", "certify lqg --log excited.csv",
         "calibrate excited.csv", "calibrate excited.csv -o robot.toml", "calibrate pushed.csv --between-knocks",
         "calibrate excited.csv --robot own.toml", "validate nxtway-gs excited.csv", "identify excited.csv",
-        "post-mortem fall.csv", "tune lqr --budget 4 --samples 50", "push-map --samples 4", "excite -o plan.json",
+        "post-mortem fall.csv", "tune lqr --budget 4 --samples 100", "push-map --samples 4", "excite -o plan.json",
         "bench-controllers lqr lqg", "reproduce --log pushed.csv --robot nxtway-gs -o paper", "compare excited.csv",
     ],
 )  # fmt: skip
