@@ -12,6 +12,7 @@ import io
 import json
 import os
 import re
+import shutil
 import sys
 import tempfile
 import types
@@ -38,8 +39,9 @@ PLAIN: dict[Any, Schema] = {
 }  # fmt: skip
 """A float that JSON does not have, infinite or not known, is null."""
 
-OPEN = {"origin", "subject", "numbers"}
-"""What says where a result comes from, as much as is known, and what each claim on the paper has of its own."""
+OPEN = {"origin", "subject", "numbers", "facts"}
+"""What says where a result comes from, as much as is known, and what each claim on the paper and each sentence has of
+its own."""
 
 NAMED = {
     "logs", "in_the_loop", "effects", "drawn", "outcomes", "changes", "columns", "fit", "fit_answered", "units",
@@ -51,7 +53,13 @@ NAMED = {
 TEXT = {"log", "file", "folder", "repaired", "law"}
 """What is text where it is not null."""
 
-ATTRIBUTES = {"unstable_pole": "pole", "in_the_loop": "trials", "let_go": "release"}
+ATTRIBUTES = {
+    "unstable_pole": "pole",
+    "in_the_loop": "trials",
+    "let_go": "release",
+    "design": "record",
+    "grades": "rows",
+}
 """Key → the attribute that it shows, where that has another name."""
 
 CHOICES = {"light": [GREEN, AMBER, RED, UNKNOWN], "severity": list(SEVERITIES)}
@@ -59,6 +67,15 @@ CHOICES = {"light": [GREEN, AMBER, RED, UNKNOWN], "severity": list(SEVERITIES)}
 
 VARIED = {"design"}
 """What each method says in its own words."""
+
+PARTS = ("summary",)
+"""Attributes whose own keys stand among those of the result."""
+
+NUMBERS = {
+    "doubling", "settling_2", "settling_5", "overshoot", "release", "pitch_apart", "explained", "breaks", "fell_at",
+    "deviations",
+}  # fmt: skip
+"""Numbers of plain objects that no run of those below has, and whose type is therefore not known otherwise."""
 
 HEAD: Schema = {
     "type": "object",
@@ -221,7 +238,7 @@ def of_value(value: Any, thing: Any = None, name: str = "") -> Schema:
 
 def of_object(value: Mapping[str, Any], thing: Any, name: str) -> Schema:
     if name in OPEN or name in VARIED:
-        return {"type": "object"}
+        return {"type": "object"}  # of anything
     if name in NAMED or (isinstance(thing, Mapping) and {str(k) for k in thing} == set(value)):
         things = {str(k): v for k, v in thing.items()} if isinstance(thing, Mapping) else {}
         parts = [of_value(v, things.get(k)) for k, v in value.items()]
@@ -239,8 +256,10 @@ def of_key(key: str, value: Any, thing: Any) -> Schema:
         return {"type": "string", "enum": CHOICES[key]}
     if key in TEXT and not isinstance(value, dict):
         return {"type": ["null", "string"]}
-    kind = type(thing)
     key = ATTRIBUTES.get(key, key)
+    owners = (thing, *(getattr(thing, part, None) for part in PARTS))
+    thing = next((owner for owner in owners if hasattr(owner, key)), thing)
+    kind = type(thing)
     declared = attribute(kind, key)
     if declared and fits(declared, value):
         if not value and "object" in kinds(declared.get("items", {})):
@@ -264,15 +283,16 @@ def schema_of(data: Mapping[str, Any], result: Any) -> Schema:
     return made | {"required": [key for key in made["required"] if key in result.to_json()]}
 
 
-def numbers_too(schema: Any) -> Any:
-    """With numbers where nothing but null was written, and no type is known."""
+def numbers_too(schema: Any, at: str = "") -> Any:
+    """With numbers where only null was written; raises where neither a type nor `NUMBERS` says that it is one."""
     if isinstance(schema, list):
-        return [numbers_too(part) for part in schema]
+        return [numbers_too(part, at) for part in schema]
     if not isinstance(schema, dict):
         return schema
     if schema.get("type") == "null":
+        assert NUMBERS & set(at.split("/")), f"what is{at} where it is not null?"
         return schema | {"type": ["null", "number"]}
-    return {key: numbers_too(part) for key, part in schema.items()}
+    return {key: numbers_too(part, f"{at}/{key}") for key, part in schema.items()}
 
 
 def written(schema: Schema) -> Schema:
@@ -288,7 +308,7 @@ MADE = {
     "pushed.csv": "example pushed",
     "handed-in": "example handed-in", "lqg.json": "design lqg", "balance.c": "firmware --target c lqg.json",
     "a.csv": "simulate --push impulse:0.1 --seconds 2", "b.csv": "simulate --push impulse:1 --seconds 2",
-    "foreign.csv": "",
+    "foreign.csv": "", "damaged": "example handed-in",
 }  # fmt: skip
 """File that a run reads → the command that writes it, with -o; a foreign log says nothing of where it comes from."""
 
@@ -307,7 +327,10 @@ name = "knock"
 push = [{ kind = "impulse", impulse = 0.3, start = 0.1 }]
 """
 
-WRITTEN = {"sweep.toml": SWEEP, "kept.toml": f'keep = ["peak_pitch"]\n{SWEEP}'}
+OWN = (FOLDER.parents[3] / "docs" / "extend.md").read_text("utf-8").partition("```python\n")[2].partition("```")[0]
+"""The first program of that page: a controller of one's own."""
+
+WRITTEN = {"own.py": OWN, "sweep.toml": SWEEP, "kept.toml": f'keep = ["peak_pitch"]\n{SWEEP}'}
 
 QUICK = """
 simulate --seconds 1
@@ -317,9 +340,12 @@ compare a.csv b.csv
 compare a.csv run.csv
 linearise -o model.json
 doctor run.csv
+doctor standing.csv --robot nxtway-gs
+robots show nxtway-gs
 doctor fall.csv --fix fixed.csv
 fleet --samples 40 --seconds 1
 fleet --samples 40 --seconds 1 --vary com_height=±10% --push impulse:0.3
+fleet --samples 300 --vary com_height=±10% --push impulse:0.3
 push-map --points 3 --samples 0
 push-map --points 3 --samples 2 --watch 1
 basin --points 5 --watch 1
@@ -335,6 +361,7 @@ certify lqg --samples 100
 
 LONG = """
 design lqr -o lqr.json
+design own.py:Quiet
 design lqg
 design pid-angle --robot balrob
 design sliding
@@ -355,6 +382,7 @@ post-mortem fall.csv
 post-mortem run.csv
 parity balance.c lqg.json
 grade handed-in
+grade damaged
 reproduce --log pushed.csv --robot nxtway-gs --push impulse:0.06,start=3 --push impulse:-0.06,start=7 -o mine
 """.strip().splitlines()
 """Commands that together write every key of every result, those of a second or two apart."""
@@ -368,6 +396,11 @@ def make(file: str) -> None:
         return
     if file in WRITTEN:
         Path(file).write_text(WRITTEN[file], "utf-8")
+        return
+    if file == "damaged":
+        make("handed-in")
+        shutil.copytree("handed-in", file)
+        Path(file, "zz.json").write_text("{", "utf-8")
         return
     if file == "foreign.csv":
         make("a.csv")
@@ -396,7 +429,7 @@ def ran(command: str) -> tuple[dict[str, Any], Any]:
     raw = io.BytesIO()
     with contextlib.redirect_stdout(io.StringIO()):
         for word in command.split():
-            make(word)
+            make(word.partition(":")[0])
     Destination.finish = kept
     try:
         with contextlib.redirect_stdout(io.TextIOWrapper(raw, "utf-8", write_through=True)):

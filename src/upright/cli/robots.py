@@ -82,6 +82,5 @@ def show(
 def _summary(robot: Robot) -> dict[str, Any]:
     from upright.physics.linear import unstable_pole
 
-    facts = robot.to_json()
-    del facts["parameters"]
+    facts = {name: value for name, value in robot.to_json().items() if name not in ("schema", "parameters")}
     return facts | {"unstable_pole": unstable_pole(robot)}

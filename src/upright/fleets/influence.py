@@ -19,7 +19,7 @@ FEWEST = 3  # robots with an outcome: a correlation of two is always 1
 
 @dataclass(frozen=True)
 class Influence:
-    """Spearman's rank correlation of an `outcome` with each varied number [1], the strongest first, and the size that
+    """Spearman's rank correlation [1] of an `outcome` with each varied number, the strongest first, and the size that
     the largest of them exceeds by chance in 5 of 100 fleets (Bonferroni)."""
 
     outcome: str

@@ -180,7 +180,8 @@ class Robot(Result):
     def to_json(self) -> dict[str, Any]:
         """Plain values: what it is, and every parameter."""
         shown = ("name", "title", "mass", "wheel_radius", "com_height", "drive")
-        return {name: getattr(self, name) for name in shown} | {"kit": self.kit_name, "parameters": self.parameters()}
+        facts = {name: getattr(self, name) for name in shown}
+        return {"schema": "upright/robots/1", **facts, "kit": self.kit_name, "parameters": self.parameters()}
 
     def parameters(self) -> list[dict[str, Any]]:
         """Name, symbol, value, unit, source and spread of every parameter that its drive has, or whose source is
