@@ -220,7 +220,7 @@ def _next(result: FallExamined, push: Blow | None) -> Next:
         why = Say("It finds the largest push that the robot survives, at each height.")
         if push and push.saves is not None:
             size = Quantity(push.saves, "N s", digits=2)
-            why = Say("Until then push with less than {size}. It finds the limit at each height.", size=size)
+            why = Say("It finds the largest push at each height. Until you know it, stay below {size}.", size=size)
         return Next("push_map", robot=robot, controller=(push and push.by) or None, why=why)
     for part in parts:
         if part in DESIGNED_FOR:

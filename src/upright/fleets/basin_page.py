@@ -65,7 +65,7 @@ def basin_page(data: Dataset) -> Page:
     if known and best and max(known) < best:
         lead.insert(0, Say("Its motors could save more."))
         if not sees_lean(data):
-            lead[0] = Say("Its motors could save more, but no sensor shows a lean at rest: it notices late.")
+            lead[0] = Say("Its motors could save more: no sensor shows how far it leans at rest, so it acts late.")
     why = Say("It does the same for pushes.")
     return Page(
         title, verdict=verdict, lead=lead, numbers=_numbers(data), picture=_picture(data),
@@ -100,7 +100,7 @@ def _numbers(data: Dataset) -> list[KeyNumber]:
         numbers.append(KeyNumber(Quantity(best, "rad", digits=2), meaning))
     part = Quantity(float(data["recovered"].values.mean()), "fraction")
     numbers += [
-        KeyNumber(_step(data, across), Say("between tries of {across}: the border is known no better", **names)),
+        KeyNumber(_step(data, across), Say("step of {across} from one try to the next", **names)),
         KeyNumber(part, Say("of the states tried are survived")),
     ]
     return numbers[:MOST_NUMBERS]

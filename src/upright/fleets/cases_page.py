@@ -88,9 +88,9 @@ def _title(shown: Tally) -> Say:
             "most": Quantity(most[first], "fraction", digits=2),
         }
         if not most[last]:
-            return Say("With {worst} up to {most} of the robots fall, with {best} none", **facts)
+            return Say("Up to {most} of the robots fall with {worst}, none with {best}", **facts)
         least = Quantity(most[last], "fraction", digits=2)
-        return Say("With {worst} up to {most} of the robots fall, with {best} up to {least}", least=least, **facts)
+        return Say("Up to {most} of the robots fall with {worst}, up to {least} with {best}", least=least, **facts)
     return Say("Worst: {case}, {part} of the robots fall", case=shown.name(worst), part=_part(worst))
 
 

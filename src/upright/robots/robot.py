@@ -135,7 +135,10 @@ class Robot(Result):
         return self.kit if isinstance(self.kit, str) else self.kit.name
 
     def replace(self, **changes: Any) -> Robot:
-        """The same robot with some parameters changed, checked again; what is changed loses its source."""
+        """The same robot with some parameters changed, checked again; what is changed loses its source. Under another
+        name it is another robot, without the title."""
+        if "name" in changes:
+            changes = {"title": ""} | changes
         kept = {name: source for name, source in self.provenance.items() if name not in changes}
         pairs = {pair: value for pair, value in self.correlation.items() if not changes.keys() & set(pair)}
         return dataclasses.replace(self, **({"provenance": kept, "correlation": pairs} | changes))

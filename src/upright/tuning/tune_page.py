@@ -107,7 +107,7 @@ def _title(tuned: Tuned) -> Say:
         return Say("Largest knock: {now}, by default {was}", now=_value(knock, now), was=_value(knock, was))
     effort = next(m for m in MEASURES if m.name == "effort")
     return Say(
-        "Effort {now}, by default {was}; the falls cannot be told apart",
+        "Effort {now} instead of {was}, and no more falls than by chance",
         now=_value(effort, now),
         was=_value(effort, was),
     )

@@ -82,7 +82,7 @@ def _tested(result: RobotJudged) -> Say:
     """Whether these logs test the robot: only what it was not fitted to does."""
     facts = {"robot": result.robot, "seconds": Quantity(sum(log.seconds for log in result.logs), "s")}
     if any(log.fitted is None for log in result.logs):
-        return Say("The file of {robot} names no log that it was fitted to, so these {seconds} are a test.", **facts)
+        return Say("These {seconds} are a test only if {robot} was not fitted to them: its file names no log.", **facts)
     used = [log for log in result.logs if log.fitted]
     if not used:
         return Say("A test: none of these {seconds} served to fit {robot}.", **facts)
