@@ -186,7 +186,7 @@ def test_a_certificate_has_a_figure() -> None:
     (ax,) = result.plot().axes
     assert [bar.get_width() for bar in ax.patches] == [100 * result.bound, 30, 7, 1]
     names = [label.get_text() for label in ax.get_yticklabels()]
-    assert names[1] == "knock of 3\u00a0N\u00a0s, low"
+    assert names[1] == "knock of 3\u00a0N\u00a0s, low battery"
     picture = html.document(result.page()).partition("</figure>")[0]
     assert all(name in picture for name in names)
 

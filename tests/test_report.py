@@ -47,8 +47,8 @@ def drawn(*curves, label="y [m]", step=False):
 
 
 def svg_of(drawing):
-    """The drawing as a page has it."""
-    return svg(Picture(Say("number"), lambda: drawing))
+    """The drawing as a page has it, without the place below it for what a pointer reads."""
+    return svg(Picture(Say("number"), lambda: drawing)).removesuffix("<output></output>")
 
 
 def a_campaign():

@@ -227,7 +227,8 @@ def _trials(c: Measurements) -> Table:
         Column(Say("largest that any controller survives")), Column(Say("saturated"), "fraction", digits=2),
         Column(Say("travel"), "m"), Column(Say("largest pitch"), "rad"), Column(Say("sway at rest"), "rad", digits=2),
     ]  # fmt: skip
-    caption = Say("{n} robots each. Saturation, travel, pitch and sway: 95 % of the robots that stood stay below.", n=c.samples)
+    caption = Say("{n} robots each. Saturation, travel, pitch and sway: 95 % of the robots that stood stay below.",
+                  n=c.samples)  # fmt: skip
     return Table(columns, rows, caption)
 
 
