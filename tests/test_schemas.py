@@ -69,7 +69,7 @@ def leaves(value: Any, at: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
         yield at
     inner = value.items() if isinstance(value, dict) else enumerate(value[:1]) if isinstance(value, list) else ()
     for key, one in inner:
-        if key not in ("origin", "head"):
+        if key not in ("origin", "head", "facts"):  # which hold anything
             yield from leaves(one, (*at, key))
 
 

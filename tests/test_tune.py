@@ -253,6 +253,23 @@ def test_of_falls_that_cannot_be_told_apart_the_rest_decides() -> None:
     assert room._picked([default, risky]) is default
 
 
+@pytest.mark.parametrize(("light", "title", "change"), [
+    ("green", "A better light: green instead of amber", "better"), ("amber", "Effort 6", "alike"),
+])  # fmt: skip
+def test_a_light_is_better_or_worse_and_says_so(light: str, title: str, change: str) -> None:
+    default, chosen = some(light="amber"), some(light=light, effort=9.0 if light == "green" else 6.0)
+    tuned = Tuned(
+        method="lqg", robot="nxtway-gs", kit="nxt", seed=0, budget=2, evaluated=2, controller=lqg(NXT, KIT),
+        defaults={"pitch": 0.15}, weights={"pitch": 0.1}, default=default, chosen=chosen,
+        front=(Point({"pitch": 0.15}, default), Point({"pitch": 0.1}, chosen)), picked=1, refused=None,
+    )  # fmt: skip
+    page = tuned.page()
+    assert str(page.title).startswith(title)
+    (row,) = [row for row in page.blocks[0].rows if str(row[0]) == "light"]
+    assert str(row[-1].text if hasattr(row[-1], "text") else row[-1]) == change
+    assert default.light_beside(chosen) == ("paid" if light == "green" else "")
+
+
 def test_what_is_refused_is_told_in_numbers() -> None:
     """25 of 1000 fell where 18 did under the default: the page had said "worse in falls", without either."""
     default, refused = some(fallen=tuple(range(18))), some(fallen=tuple(range(25)), effort=6.0)

@@ -66,7 +66,7 @@ class Checked:
             "falls": (
                 self.bound,
                 Say(
-                    "{n} of {all} robots fall, so the probability may be {bound}",
+                    "{n} of {all} robots fall, so the probability may be up to {bound}",
                     n=self.fell,
                     all=self.samples,
                     bound=Quantity(self.bound, "fraction"),

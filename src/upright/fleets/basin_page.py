@@ -63,9 +63,9 @@ def basin_page(data: Dataset) -> Page:
                     n=samples(data), **made)]  # fmt: skip
     best = saved_by_any(data)
     if known and best and max(known) < best:
-        lead.insert(0, Say("Its motors could save more."))
+        lead.insert(0, Say("Its motors could bring it back from a larger lean."))
         if not sees_lean(data):
-            lead[0] = Say("Its motors could save more: no sensor shows how far it leans at rest, so it acts late.")
+            lead[0] = Say("No sensor shows a lean at rest: it acts late, and recovers from less.")
     why = Say("It does the same for pushes.")
     return Page(
         title, verdict=verdict, lead=lead, numbers=_numbers(data), picture=_picture(data),
@@ -92,11 +92,11 @@ def _numbers(data: Dataset) -> list[KeyNumber]:
     if recovers:
         meaning = Say("{up} from which it recovers at zero {across}", **names)
         if recovers == (data[up].values[0], data[up].values[-1]):
-            meaning = Say("{up} from which it recovers at zero {across}: all that was tried", **names)
+            meaning = Say("{up}: it recovers from all that was tried", **names)
         numbers.append(KeyNumber(_range(data, up), meaning))
     best = saved_by_any(data)
     if best:
-        meaning = Say("largest pitch at rest that any controller saves, by a linear model")
+        meaning = Say("largest pitch at rest that any controller saves")
         numbers.append(KeyNumber(Quantity(best, "rad", digits=2), meaning))
     part = Quantity(float(data["recovered"].values.mean()), "fraction")
     numbers += [

@@ -66,7 +66,7 @@ def _numbers(data: Dataset) -> list[KeyNumber]:
         low = min(place["low"] for place in places)
         numbers.append(KeyNumber(_survived(low), Say("survived everywhere by 97.5 % of similar robots")))
     ball = Quantity(weak["ball"], "m/s", digits=2)
-    numbers.append(KeyNumber(ball, Say("speed of a tennis ball: to catch it is as hard as the weakest push")))
+    numbers.append(KeyNumber(ball, Say("a tennis ball at this speed, stopped by the robot, pushes as hard as that")))
     return numbers[:MOST_NUMBERS]
 
 

@@ -135,13 +135,11 @@ class Robot(Result):
         return self.kit if isinstance(self.kit, str) else self.kit.name
 
     def replace(self, **changes: Any) -> Robot:
-        """The same robot with some parameters changed, checked again; what is changed loses its source. Under another
-        name it is another robot, without the title."""
-        if "name" in changes:
-            changes = {"title": ""} | changes
+        """The same robot with some parameters changed, checked again: they lose their source, a new name the title."""
         kept = {name: source for name, source in self.provenance.items() if name not in changes}
         pairs = {pair: value for pair, value in self.correlation.items() if not changes.keys() & set(pair)}
-        return dataclasses.replace(self, **({"provenance": kept, "correlation": pairs} | changes))
+        title = "" if "name" in changes else self.title
+        return dataclasses.replace(self, **({"provenance": kept, "correlation": pairs, "title": title} | changes))
 
     def without_dry_friction(self) -> Robot:
         """The same robot as it moves while its wheels turn: its tangent at rest would take dry friction for a brake."""
@@ -182,8 +180,7 @@ class Robot(Result):
 
     def to_json(self) -> dict[str, Any]:
         """Plain values: what it is, and every parameter."""
-        shown = ("name", "title", "mass", "wheel_radius", "com_height", "drive")
-        facts = {name: getattr(self, name) for name in shown}
+        facts = {name: getattr(self, name) for name in ("name", "title", "mass", "wheel_radius", "com_height", "drive")}
         return {"schema": "upright/robots/1", **facts, "kit": self.kit_name, "parameters": self.parameters()}
 
     def parameters(self) -> list[dict[str, Any]]:

@@ -171,11 +171,16 @@ class Figures:
         """Whether more of the same robots fell than in `other`, beyond what chance explains at the `LEVEL`."""
         return chance_of(*fell_once(self, other)) < LEVEL
 
+    def light_beside(self, other: Figures) -> str:
+        """Whether this light is "won" from the `other`, or "paid"; "" where they are one."""
+        steps = LIGHTS.index(self.light) - LIGHTS.index(other.light)
+        return "paid" if steps > 0 else "won" if steps < 0 else ""
+
     def worse(self, other: Figures) -> list[str]:
         """In which of falls, light, knock and margins this is worse than `other`, which flew the same robots with the
         same noise; of the knock by more than `ALIKE`."""
         worse = ["falls"] if self.falls_more(other) else []
-        worse += ["light"] if LIGHTS.index(self.light) > LIGHTS.index(other.light) else []
+        worse += ["light"] if self.light_beside(other) == "paid" else []
         worse += ["knock"] if self.knock < (1 - ALIKE) * other.knock else []
         if other.linear is None:
             return worse

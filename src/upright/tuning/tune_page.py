@@ -105,6 +105,8 @@ def _title(tuned: Tuned) -> Say:
     knock = next(m for m in MEASURES if m.name == "knock")
     if knock.change(was, now) == "won":
         return Say("Largest knock: {now}, by default {was}", now=_value(knock, now), was=_value(knock, was))
+    if now.light_beside(was) == "won":
+        return Say("A better light: {now} instead of {was}", now=LIGHTS[now.light].text, was=LIGHTS[was.light].text)
     effort = next(m for m in MEASURES if m.name == "effort")
     return Say(
         "Effort {now} instead of {was}, and no more falls than by chance",
@@ -157,7 +159,7 @@ def _beside(tuned: Tuned) -> Table:
     now = tuned.tried
     columns += [Column(Say("candidate")), Column(Say("change"))]
     beside: list[list[Cell]] = [
-        [LIGHTS[now.light], CHANGES["" if now.light == was.light else "won"]],
+        [LIGHTS[now.light], CHANGES[now.light_beside(was)]],
         *([_value(m, now), _changed(m, was, now)] for m in MEASURES),
     ]  # fmt: skip
     return Table(columns, [[*row, *other] for row, other in zip(rows, beside, strict=True)])
