@@ -312,6 +312,11 @@ def campaign_with(fell, n=200, names=("robot", "controller", "scenario", "motor.
     return Cases(CaseSummary(dict(zip(names, key, strict=False)), n, k, clopper_pearson(k, n), {}) for key, k in fell)
 
 
+def test_a_campaign_that_was_interrupted_counts_the_robots_of_each_case():
+    cases = Cases(CaseSummary({"robot": name}, n, 0, clopper_pearson(0, n), {}) for name, n in (("a", 100), ("b", 30)))
+    assert str(cases.page().lead[0]) == "130 robots were simulated in 2 cases, and nobody pushed them."
+
+
 def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
     stood = {"effort": Moments().with_values(np.array([2.0, 4.0]))}
     cases = Cases((
@@ -426,6 +431,10 @@ def test_an_address_without_a_scheduler_is_reported(spec, tmp_path, monkeypatch)
         ("seed", "sead", UnknownName, "seed"),
         ('"impulse"', '"impuls"', UnknownName, "impulse"),
         ("impulse = 0.25, ", "", InvalidScenario, "lacks impulse"),
+        ("impulse = 0.25, start = 0.2", 'impulse = "0.25,start=2"', InvalidScenario, "impulse impulse: '0.25,start=2'"),
+        ("start = 0.2", "start = true", InvalidScenario, "start: True"),
+        ('"knock"', '"knock"\nstart = { pitch = "0.1,wheel=3" }', InvalidScenario, "start pitch: '0.1,wheel=3'"),
+        ('"knock"', '"knock"\nstart = { pitch = 3 }', InvalidScenario, "3 rad of pitch"),
         ("[0.0, 0.3]", "0.3", InvalidScenario, "list of numbers"),
         ("motor.dead_zone", "motor.deadzone", UnknownName, "motor.dead_zone"),
         ("seconds = 1.0", "seconds = 1.0\nkeep = ['pitch']", InvalidScenario, "peak_pitch"),

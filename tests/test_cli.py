@@ -85,6 +85,8 @@ BAD = {
     "a word that no option has": ("basin fast", "upright basin --help"),
     "unknown controller": ("simulate --controller pidd", "pidd"),
     "a start in degrees": ("simulate --start pitch=9", "--start"),
+    "a fleet's start in degrees": ("fleet --start pitch=9", "9 rad of pitch in --start"),
+    "a basin's start in degrees": ("basin --start pitch=9", "9 rad of pitch in --start"),
     "a mapping that is there": ("doctor good.csv --write-mapping broken.toml", "broken.toml exists already"),
     "negative seconds": ("simulate --seconds -1", "-1 s"),
     "no seconds": ("simulate --seconds 0", "0 s"),

@@ -218,6 +218,18 @@ def pushed(tau=0.5, *, period=0.01, kind="nonlinear model", prefix="truth", seco
     return Log(t, columns, origin={"body": {"kind": kind}})
 
 
+def test_a_comparison_cannot_be_changed_from_outside():
+    logs = {"slow": pushed(0.5), "fast": pushed(0.25)}
+    result = compare(logs)
+    logs.clear()
+    assert list(result.logs) == ["slow", "fast"]
+    for table in (result.logs, result.sources, result.releases, result.kinds, result.metrics, result.fits):
+        with pytest.raises(TypeError):
+            table["other"] = table["fast"]  # type: ignore[index]
+    with pytest.raises(TypeError):
+        result.fits["fast"]["pitch"] = 100.0  # type: ignore[index]
+
+
 def test_settling_counts_from_the_release_that_the_push_channel_shows():
     result = compare({"slow": pushed(0.5), "fast": pushed(0.25)})
     assert result.releases == {"slow": pytest.approx(2.0), "fast": pytest.approx(2.0)}

@@ -24,7 +24,7 @@ from upright.fleets.binomial import clopper_pearson, upper_bound
 from upright.fleets.cases import Cases
 from upright.fleets.ensemble import Ensemble, tables
 from upright.fleets.fleet import Fleet, ensemble_of, fleet
-from upright.fleets.fleet_page import falls_of
+from upright.fleets.fleet_page import _edges, falls_of
 from upright.fleets.maps import Basin, PushMap
 from upright.fleets.push_map import PushGrid, first_border, largest, push_map, robot_seconds
 from upright.fleets.results import labelled, load, origin_of, save, summarise
@@ -331,6 +331,18 @@ def test_the_summary_counts_falls_and_leaves_the_fallen_out(results):
     assert summary.quantiles["travel"][1] == pytest.approx(np.median(results["travel"].values[stood]))
     json.dumps(summary.to_json(), allow_nan=False)
     assert str(Fleet(results, summary).page().title) == f"The robot fell in {summary.fell} of 100 runs without a push"
+
+
+def test_each_of_few_values_has_a_bin_of_its_own():
+    values = np.repeat([10.0, 20.0, 30.0, 200.0], [5, 1, 3, 2])
+    counts, edges = np.histogram(values, _edges(values, bins=60))
+    assert counts.tolist() == [5, 1, 3, 2]
+    assert edges.tolist() == [5.0, 15.0, 25.0, 115.0, 285.0]  # the outer ones as far out as the next ones are inside
+
+
+@pytest.mark.parametrize(("values", "bins"), [(np.arange(1000.0), 60), (np.arange(20.0), 20), (np.full(9, 0.25), 1)])
+def test_many_values_have_bins_of_one_width(values, bins):
+    assert _edges(values, bins=60) == bins
 
 
 def test_falls_that_chance_explains_have_no_cause(results):

@@ -142,6 +142,27 @@ def test_genuine_forged_and_broken_hand_ins_are_distinguished(tmp_path, genuine)
     assert "fell at" in str(grades["never-fell"].why)
 
 
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ({"student": " " * 3}, "student: no name of 1 to 40 letters"),
+        ({"student": "a" * 41}, "student: no name of 1 to 40 letters"),
+        ({"step": 0.5}, "step: none of the steps 0.001, 0.002, 0.01 s"),
+        ({"seconds": 60.1}, "seconds: not more than 0 and at most 60 s"),
+        ({"setup": replace(MODEL, bodies=("calibrated",))}, "setup: its first body cannot be run again"),
+        ({"actions": ((2.0, Drag(0.1, 0.0)), (1.0, Drag(0.0, 0.0)))}, "actions: the actions are out of order"),
+    ],
+)
+def test_a_refusal_is_in_words_of_a_teacher(tmp_path, genuine, changes, says):
+    path = write_hand_in(replace(genuine, **changes), tmp_path / "Ana.json")
+    with pytest.raises(InvalidHandIn, match=f"Ana.json is broken: {re.escape(says)};"):
+        read_hand_in(path)
+
+
+def test_a_name_is_read_without_the_blanks_about_it(tmp_path, genuine):
+    assert read_hand_in(write_hand_in(replace(genuine, student="  Ana "), tmp_path / "a.json")).student == "Ana"
+
+
 def test_the_same_run_under_two_names_is_reported(tmp_path, genuine):
     for name in ("Ana", "Luis"):
         write_hand_in(replace(genuine, student=name), tmp_path / f"{name}.json")

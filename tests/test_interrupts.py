@@ -146,6 +146,18 @@ def test_a_second_signal_ends_what_keeps_a_part_of_its_result(tmp_path: Path) ->
     assert list(tmp_path.iterdir()) == []
 
 
+def test_what_goes_wrong_at_the_first_signal_does_not_keep_the_second_from_ending_the_run(tmp_path: Path) -> None:
+    """As where the terminal is closed; the thread that waits is the only one."""
+    process = child(STOPPABLE.replace("lambda: None", "lambda: 1 / 0").replace("0.8", "600"), tmp_path)
+    process.send_signal(signal.SIGINT)
+    assert process.stdout
+    assert process.stdout.readline() == "half\n"
+    process.send_signal(signal.SIGINT)
+    said = process.communicate(timeout=PATIENCE)[1]
+    assert process.returncode == 130
+    assert "Traceback" not in said
+
+
 def test_what_the_parent_had_it_ignore_stays_ignored(tmp_path: Path) -> None:
     ignored = "import signal; signal.signal(signal.SIGHUP, signal.SIG_IGN)"  # as nohup does
     process = child("time.sleep(0.3)", tmp_path, before=ignored)

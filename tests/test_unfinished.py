@@ -25,7 +25,7 @@ MAP = "push-map --points 7 -n 3 --watch 1"
 @pytest.fixture(autouse=True)
 def _state() -> Iterator[None]:
     yield
-    interrupts.Run.kept = False
+    interrupts.reset()
 
 
 def stopped_at(monkeypatch: pytest.MonkeyPatch, owner: Any, name: str, call: int) -> None:
@@ -94,6 +94,17 @@ def test_a_stopped_map_is_the_finest_that_is_whole(command, where, call, part, h
     for name in {"recovered", "settling", "impulse", "last"} & set(data.data_vars):
         np.testing.assert_array_equal(data[name], whole[name].sel({d: data[d] for d in data[name].dims}))
     assert ("low" in data) == ("robots" in part)
+
+
+def test_what_follows_an_interrupt_is_announced_where_there_is_a_part(here, monkeypatch, capsys):
+    """And a second run in the process is neither interrupted nor half."""
+    monkeypatch.setattr(fleets, "CHUNK", 10)
+    with monkeypatch.context() as during:
+        stopped_at(during, kernel, "simulate", 3)
+        assert main([*FLEET.split(), "--json"]) == 130
+    assert capsys.readouterr().err.endswith("what is done so far:\n")
+    interrupts.Run.number = 2
+    assert main([*FLEET.split(), "--json"]) == 0
 
 
 def test_what_is_stopped_before_anything_is_whole_leaves_nothing(here, monkeypatch, capsys):

@@ -60,6 +60,13 @@ def watch() -> None:
     threading.Thread(target=_wait, args=(reader,), daemon=True, name="interrupts").start()
 
 
+def reset() -> None:
+    """A run begins, maybe not the first of this process: no signal has come to it, and it has kept nothing."""
+    Run.number = 0
+    Run.keeps = ()
+    Run.lasting = Run.kept = Run.complete = False
+
+
 def interrupted() -> bool:
     """Whether a signal ends this run."""
     return bool(Run.number) and not (Run.lasting or Run.kept)
@@ -148,10 +155,11 @@ def _wait(reader: int) -> None:
         number = os.read(reader, 1)[0]
         if number not in SIGNALS or Run.lasting:
             continue
-        if Run.keeps:
-            first, *_ = Run.keeps
-            Run.keeps = ()
-            first()
+        keeps, Run.keeps = Run.keeps, ()  # at once: the main thread may take them away meanwhile
+        for first in keeps:
+            with suppress(Exception):  # of a closed terminal: this thread is the only one that waits
+                first()
+        if keeps:
             continue
         time.sleep(GRACE)
         with MOTORS:

@@ -30,12 +30,11 @@ def basin(
 
     On a grid of any two of the six states; with samples, the fraction of the robots that recover.
     """
-    from upright.experiment.notation import vector
+    from upright.experiment.notation import first_state
     from upright.fleets.basin import basin as cut
-    from upright.signals import STATE_NAMES
 
     asked.check(out)
-    first = tuple(vector(start, STATE_NAMES, "--start"))
+    first = first_state(start, "--start")
     ensemble = asked.ensemble(start=first, seconds=watch)
     number = BASIN_POINTS[ensemble.called] if points is None else points
     axes = _axis(across, "--across", number), _axis(up, "--up", number)

@@ -25,13 +25,12 @@ def fleet(
 
     Prints the probability of a fall with its 95 % interval, and quantiles of pitch, settling, effort and travel.
     """
-    from upright.experiment.notation import pushes_and_references, vector
+    from upright.experiment.notation import first_state, pushes_and_references
     from upright.fleets.fleet import fleet as simulate
-    from upright.signals import STATE_NAMES
 
     asked.check(out)
     pushes, references = map(tuple, pushes_and_references(push, drive, turn))
-    first = tuple(vector(start, STATE_NAMES, "--start"))
+    first = first_state(start, "--start")
     ensemble = asked.ensemble(pushes=pushes, references=references, start=first, seconds=seconds)
     number = FLEET[ensemble.called] if samples is None else samples
     say_how_long(asked, ensemble, {f"-n {n}": n * seconds for n in (number, *FLEET)})

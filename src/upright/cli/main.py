@@ -63,7 +63,6 @@ def start(
 ) -> None:
     """The workbench for two-wheeled balancing robots: model, identify, control, certify, compare."""
     interrupts.Run.lasting = context.invoked_subcommand in LASTING
-    interrupts.Run.kept = False
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
 
@@ -75,6 +74,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """
     arguments = sys.argv[1:] if argv is None else list(argv)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices here are small: more threads only wait for each other
+    interrupts.reset()
     interrupts.Run.message = in_language(interrupts.STOPPED)
     try:
         return run(arguments)

@@ -58,7 +58,7 @@ def as_far_as_it_goes(
     """`finish` what the `work` finds; after Ctrl-C what it found until then, with the exit code of such a run."""
 
     def first() -> None:
-        tell("stopping: what is done so far follows; Ctrl-C again ends at once", err=True)
+        tell("stopping; Ctrl-C again ends at once", err=True)
 
     def going_on(fraction: float) -> None:
         interrupts.check()  # a signal's exception may have been lost in C
@@ -68,6 +68,7 @@ def as_far_as_it_goes(
         with shown as show, interrupts.keeping(first):
             result = work(going_on)
     except interrupts.Stopped as stopped:
+        tell("what is done so far:", err=True)
         finish(stopped.result)
         raise typer.Exit(interrupts.exit_code()) from None
     finish(result)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 from upright.cli.destination import Destination
 from upright.cli.output import tell, warn_of
-from upright.errors import InvalidController, check_within
+from upright.errors import InvalidController
 from upright.progress import progress
 
 if TYPE_CHECKING:
@@ -44,10 +43,9 @@ def simulate(
     """
     from upright.comparison.simulate import controller_for
     from upright.comparison.simulate import simulate as simulated
-    from upright.experiment.notation import pushes_and_references, vector
+    from upright.experiment.notation import first_state, pushes_and_references
     from upright.experiment.standup import standing_up
     from upright.robots import find_kit, find_robot
-    from upright.signals import STATE_NAMES
     from upright.signals.files import check_format
 
     if feedback is not None and controller is not None:
@@ -55,8 +53,7 @@ def simulate(
     if lying is not None and start:
         raise InvalidController("both --start and --lying", expected="one of them: a lift begins at rest")
     pushes, references = pushes_and_references(push, drive, turn, slope)
-    first = vector(start, STATE_NAMES, "--start")
-    check_within("rad of pitch in --start", first[0], -math.pi / 2, math.pi / 2)
+    first = first_state(start, "--start")
     out.check(output)
     check_format(output)
     chosen = find_robot(robot)
@@ -68,7 +65,7 @@ def simulate(
         design, length = _excited(design, excite)
     if lying is not None:
         design = standing_up(design, chosen, parts, lying)
-        first = [lying, *[0.0] * 5]
+        first = (lying, *[0.0] * 5)
     run: dict[str, Any] = {"seconds": length if seconds is None else seconds, "seed": seed, "start": first}
     with progress("simulating") as show:
         result = simulated(chosen, design, parts, body=body, push=pushes, reference=references, progress=show, **run)

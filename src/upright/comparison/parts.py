@@ -9,7 +9,7 @@ from typing import Any
 
 from upright.comparison.drawing import draw_commands, draw_states, dwarfing
 from upright.comparison.runs import METRICS, Compared
-from upright.experiment.described import law_in, name_in, pushes_in_words
+from upright.experiment.described import law_in, law_in_words, name_in, pushes_in_words
 from upright.logs.recording import commanded
 from upright.pages import Cell, Column, Fold, Items, Next, Picture, Quantity, Say
 from upright.robots import offered
@@ -35,7 +35,7 @@ def body_in_words(kind: str) -> Say | str | None:
 def who(log: Log, kind: str, pushes: Say) -> Say:
     """Robot, controller and pushes of a run in a body of this kind."""
     robot = name_in(log.origin, "robot")
-    facts = {"robot": robot, "law": law_in(log.origin) or Say("a controller of one's own"), "pushes": pushes}
+    facts = {"robot": robot, "law": law_in_words(log.origin), "pushes": pushes}
     if not robot:
         return Say("The log does not name its robot; it shows {pushes}.", pushes=pushes)
     if kind.startswith("twin"):

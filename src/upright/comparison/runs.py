@@ -7,6 +7,7 @@ import functools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -83,6 +84,10 @@ class Compared:
     command_unit: str
     metrics: Mapping[str, Metrics]
 
+    def __post_init__(self) -> None:
+        for name in ("logs", "sources", "releases", "kinds", "metrics"):
+            object.__setattr__(self, name, MappingProxyType(dict(getattr(self, name))))
+
     def unit(self, metric: str) -> str:
         """Unit of a metric, '1' for a fraction, '' for yes or no."""
         squared = f"({self.command_unit})²" if not self.command_unit.isalpha() else f"{self.command_unit}²"
@@ -135,14 +140,14 @@ class Compared:
     @functools.cached_property
     def fits(self) -> Mapping[str, Mapping[str, float]]:
         """The NRMSE fit [%] of each log but the reference to that, by signal; NaN where the reference hardly moves."""
-        return {label: self._fit(label) for label in self.logs if label != self.reference}
+        return MappingProxyType({label: self._fit(label) for label in self.logs if label != self.reference})
 
-    def _fit(self, label: str) -> dict[str, float]:
+    def _fit(self, label: str) -> Mapping[str, float]:
         fits: dict[str, float] = {}
         for name in self.signals:
             _, one, other = self.both(label, name)
             fits[name] = math.nan if np.ptp(one) <= negligible(name) else metrics.nrmse_fit(one, other)
-        return fits
+        return MappingProxyType(fits)
 
     def apart(self, label: str, name: str = "pitch") -> float:
         """The largest difference of a state from the reference's, in the unit of the state."""

@@ -53,3 +53,8 @@ def name_in(origin: Mapping[str, Any], part: str) -> str:
 def law_in(origin: Mapping[str, Any]) -> str:
     """The kind of controller, empty where the origin has none."""
     return str((origin.get("controller") or {}).get("kind", ""))
+
+
+def law_in_words(origin: Mapping[str, Any]) -> str | Say:
+    """The kind of controller, in a sentence."""
+    return law_in(origin) or Say("a controller of one's own")

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from upright.errors import InvalidScenario, UnknownName
+from upright.errors import InvalidScenario, UnknownName, check_within
 from upright.experiment.pushes import Hold, Impulse, Push, Slope
 from upright.experiment.references import Drive, Turn
+from upright.signals import STATE_NAMES
 
 
 def listed(text: str | None) -> list[str]:
@@ -61,19 +62,45 @@ def named_values(text: str, option: str) -> dict[str, float | str]:
     return values
 
 
-def vector(text: str, names: Sequence[str], option: str) -> list[float]:
-    """`name=NUMBER,…` as one number for each of `names`; the others are zero."""
-    given = named_numbers(text, names, option) if text else {}
-    return [given.get(name, 0.0) for name in names]
+def is_number(value: Any) -> bool:
+    """Whether what a file holds is a finite number."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
 
 
-def programme(kind: Any, text: str, option: str) -> Any:
-    """A push or reference from `NUMBER,name=NUMBER,…`, whose names are the fields of the dataclass `kind`."""
+def _numbers(given: str | Mapping[str, Any], names: Sequence[str], option: str, bare: str = "") -> dict[str, float]:
+    """Numbers by name, as they are typed or as a file holds them."""
+    if isinstance(given, str):
+        return named_numbers(given, names, option, bare)
+    for name, value in given.items():
+        if name not in names:
+            raise UnknownName(f"entry of {option}", name, names)
+        if not is_number(value):
+            raise InvalidScenario(f"{option} {name}: {value!r}", expected="a finite number")
+    return {name: float(value) for name, value in given.items()}
+
+
+def vector(given: str | Mapping[str, Any], names: Sequence[str], option: str) -> list[float]:
+    """`name=NUMBER,…`, or a mapping, as one number for each of `names`; the others are zero."""
+    numbers = _numbers(given, names, option) if given else {}
+    return [numbers.get(name, 0.0) for name in names]
+
+
+def first_state(given: str | Mapping[str, Any], option: str) -> tuple[float, ...]:
+    """The state (6,) at which a run starts, as in `vector`: at most lying."""
+    state = dict(zip(STATE_NAMES, vector(given, STATE_NAMES, option), strict=True))
+    check_within(f"rad of pitch in {option}", state["pitch"], -math.pi / 2, math.pi / 2)
+    return tuple(state.values())
+
+
+def programme(kind: Any, given: str | Mapping[str, Any], option: str) -> Any:
+    """A push or reference from `NUMBER,name=NUMBER,…`, or a mapping, whose names are the fields of the dataclass
+    `kind`."""
     fields = dataclasses.fields(kind)
-    values = named_numbers(text, [f.name for f in fields], option, bare=fields[0].name)
+    names = [f.name for f in fields]
+    values = _numbers(given, names, option, bare=names[0])
     absent = [f.name for f in fields if f.default is dataclasses.MISSING and f.name not in values]
     if absent:
-        raise InvalidScenario(f"{option}: '{text}' lacks {', '.join(absent)}", expected=f"{absent[0]}=NUMBER as well")
+        raise InvalidScenario(f"{option} lacks {', '.join(absent)}", expected=f"{absent[0]}=NUMBER as well")
     return kind(**values)
 
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 MOST_ROBOTS = 10_000_000
-_AT_ONCE = 8192  # robots in one batch, which bounds the memory, and what Ctrl-C loses
+_AT_ONCE = 8192  # robots in one batch, which bounds the memory; Ctrl-C leaves the last grid that is whole
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from upright.arrays import Array
-from upright.experiment.described import law_in, name_in
+from upright.experiment.described import law_in, law_in_words, name_in
 from upright.fleets.limits import ranges, samples, saved_by_any, sees_lean, states
-from upright.fleets.origin import law_of, made_of
+from upright.fleets.origin import made_of
 from upright.fleets.results import origin_of
 from upright.pages import MOST_NUMBERS, Column, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.blocks import Cell
@@ -56,7 +56,7 @@ def basin_page(data: Dataset) -> Page:
                     across=STATES[across], range=span)  # fmt: skip
         if across == "pitch":
             title = Say("Hold {robot} within {range} when it starts: from there it recovers", robot=robot, range=span)
-    made = {"controller": law_of(origin), "time": Quantity(float(origin["scenario"]["seconds"]), "s")}
+    made = {"controller": law_in_words(origin), "time": Quantity(float(origin["scenario"]["seconds"]), "s")}
     lead = [Say("Simulated under {controller}: who still stands after {time} has recovered.", **made)]
     if samples(data) > 1:
         lead = [Say("Of {n} robots at each state under {controller}, those have recovered that stand after {time}.",

@@ -105,11 +105,11 @@ def _verdict(cases: Tally, counted: Sequence[CaseSummary]) -> Verdict:
 
 def _lead(cases: Tally, alike: Sequence[str]) -> list[Say]:
     worst, *_ = cases.worst_first()
-    facts: dict[str, Any] = {"n": len(cases), "robots": worst.n}
-    lead = [Say("{n} × {robots} robots were simulated, and nobody pushed them.", **facts)]
+    facts: dict[str, Any] = {"n": len(cases), "robots": sum(case.n for case in cases)}
+    lead = [Say("{robots} robots were simulated in {n} cases, and nobody pushed them.", **facts)]
     if pushes := pushes_of(cases.origins[cases.index(worst)]) if cases.origins else ():
         facts["pushes"] = pushes_in_words(pushes)
-        lead = [Say("{n} × {robots} robots were simulated; the worst case has {pushes}.", **facts)]
+        lead = [Say("{robots} robots were simulated in {n} cases; the worst case has {pushes}.", **facts)]
     labels = [LABELS.get(name, term(name)) for name in alike]
     if decisive := cases.decisive():
         label = LABELS.get(decisive[0], term(decisive[0]))

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from upright.experiment.described import law_in, name_in, pushes_in_words
+from upright.arrays import Array
+from upright.experiment.described import law_in, law_in_words, name_in, pushes_in_words
 from upright.fleets.binomial import MOST_FALLS, RARE, clopper_pearson, upper_bound
 from upright.fleets.ensemble import OUTCOMES
-from upright.fleets.origin import law_of, made_of, names_varied, pushes_of, spreads_of, spreads_table
+from upright.fleets.origin import made_of, names_varied, pushes_of, spreads_of, spreads_table
 from upright.fleets.results import origin_of
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import term
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
     from upright.fleets.results import Summary
 
 GROUPS = 12  # of as many robots each, of which the fraction that fell is drawn
+NAMED = 3  # varied numbers that a sentence names: more are counted, and stand in a fold
+ALIKE = 3  # varied numbers: with so few the robots are all but one robot, and a certificate varies every number
 DOTS = 500  # robots that a cloud shows at most
 
 
@@ -36,9 +39,9 @@ def fleet_page(data: Dataset, summary: Summary) -> Page:
     names = names_varied(data)
     varied = len(names)
     robot = name_in(origin, "robot")
-    made = {"robot": robot, "law": law_of(origin)}
+    made = {"robot": robot, "law": law_in_words(origin)}
     lead = [Say("Each run simulates {robot} under {law}; only the noise differs.", **made)]
-    if 0 < varied <= FEW:
+    if 0 < varied <= NAMED:
         lead = [
             Say("Each run simulates {robot} under {law}; what varies: {names}.", **made, names=list(map(term, names)))
         ]
@@ -67,7 +70,7 @@ def fleet_page(data: Dataset, summary: Summary) -> Page:
     else:
         following = Next("fleet", robot=robot, push="impulse:0.1", why=Say("A push shows more than noise does."))
     verdict = verdict_of(summary.fell, summary.n, pushed=bool(pushes))
-    if varied <= FEW and verdict.level in ("good", "warn"):
+    if varied <= ALIKE and verdict.level in ("good", "warn"):
         verdict = Verdict(Say("too little varied: no certificate"))
     if verdict.level == "bad":
         following = Next("push_map", robot=robot, why=Say("It finds the largest push that the robot survives."))
@@ -80,17 +83,15 @@ def fleet_page(data: Dataset, summary: Summary) -> Page:
 def verdict_of(fell: int, n: int, *, pushed: bool) -> Verdict:
     """As a certificate judges, by the upper bound of the falls; it also pushes: without that few falls are no green
     light."""
-    most = Quantity(None, "fraction", high=upper_bound(fell, n), digits=2)
+    bound = upper_bound(fell, n)
+    most = Quantity(None, "fraction", high=bound, digits=2)
     if fell > MOST_FALLS * n:
         return Verdict(Say("too many fall: {part}", part=falls_of(fell, n)), "bad")
     if not pushed:
         return Verdict(Say("nobody pushed them"))
-    if upper_bound(fell, n) <= MOST_FALLS:
+    if bound <= MOST_FALLS:
         return Verdict(Say("few fall: {most}", most=most), "good")
     return Verdict(Say("too few robots to tell: {most} fall", most=most), "warn")
-
-
-FEW = 3  # varied numbers: with so few the robots are all but one robot, and a certificate varies every number
 
 
 def falls_of(fell: int, n: int) -> Quantity:
@@ -191,9 +192,20 @@ def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
     values = factor * values
     figure, (ax,) = panels([str(Say("runs [%]"))], f"{_name(outcome)} [{unit}]", height=1.4)
     if len(values):
-        bins = min(bins, len(np.unique(np.round(values, 9))))  # of few values, as counted periods, one bin each
-        ax.hist(values, bins, weights=np.full(len(values), 100 / len(values)), histtype="stepfilled",
+        ax.hist(values, _edges(values, bins), weights=np.full(len(values), 100 / len(values)), histtype="stepfilled",
                 alpha=0.8)  # fmt: skip
         ax.axvline(np.median(values), color=AXIS, label=str(Say("half below")))
         ax.axvline(np.quantile(values, 0.95), linestyle="--", color=AXIS, label=str(Say("95 % below")))
     return legend(figure)
+
+
+def _edges(values: Array, bins: int) -> int | Array:
+    """So many bins at most; of fewer values than that, as of counted periods, the borders halfway between them."""
+    unique = np.unique(np.round(values, 9))
+    repeated = 2 * len(unique) <= len(values)  # else a bin for each would hold one robot, and show nothing
+    if not (repeated and 1 < len(unique) < bins):
+        return min(bins, len(unique))
+    middle = (unique[1:] + unique[:-1]) / 2
+    first = 2 * unique[0] - middle[0]
+    last = 2 * unique[-1] - middle[-1]
+    return np.concatenate([[first], middle, [last]])

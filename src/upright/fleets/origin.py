@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from upright.experiment.described import facts_of, law_in
+from upright.experiment.described import facts_of
 from upright.fleets.results import origin_of
 from upright.pages import Column, Quantity, Say, Table
 from upright.pages.terms import term
@@ -45,11 +45,6 @@ def spreads_table(spreads: Sequence[Mapping[str, Any]], units: Mapping[str, str]
 def pushes_of(origin: Mapping[str, Any]) -> Sequence[Mapping[str, Any]]:
     """The pushes of a scenario, each with its numbers."""
     return origin.get("scenario", {}).get("push") or ()
-
-
-def law_of(origin: Mapping[str, Any]) -> str | Say:
-    """The kind of controller, in a sentence."""
-    return law_in(origin) or Say("a controller of one's own")
 
 
 def made_of(data: Dataset) -> dict[str, str]:

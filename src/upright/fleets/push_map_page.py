@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.arrays import Array
-from upright.experiment.described import law_in, name_in
+from upright.experiment.described import law_in, law_in_words, name_in
 from upright.fleets.limits import KNOCK, at_centre, longest, weakest
-from upright.fleets.origin import law_of, made_of
+from upright.fleets.origin import made_of
 from upright.fleets.results import origin_of
 from upright.languages import number
 from upright.pages import MOST_NUMBERS, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
@@ -36,12 +36,12 @@ def push_map_page(data: Dataset) -> Page:
     title = Say("{robot} survives {size} at every height and duration tried", robot=robot, size=size)
     verdict = Verdict(Say("survives {size}", size=size))
     lead = Say("Simulated under {controller}: it is weakest {height} above the axle, against {force} for {time}.",
-               controller=law_of(origin), height=Quantity(weak["height"], "m"), force=Quantity(weak["force"], "N"),
-               time=Quantity(weak["duration"], "s"))  # fmt: skip
+               controller=law_in_words(origin), height=Quantity(weak["height"], "m"),
+               force=Quantity(weak["force"], "N"), time=Quantity(weak["duration"], "s"))  # fmt: skip
     if not weak["impulse"]:
         title = Say("The smallest push tried fells {robot}", robot=robot)
         verdict = Verdict(Say("no push is survived"), "bad")
-        lead = Say("Simulated under {controller}, at every height and duration.", controller=law_of(origin))
+        lead = Say("Simulated under {controller}, at every height and duration.", controller=law_in_words(origin))
     first, *others = [_map(data, way) for way in weakest(data)]
     slices = [_slices(data.sel(direction=way), way) for way in weakest(data)]
     why = Say("It counts how many similar robots fall.")

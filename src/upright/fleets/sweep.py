@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 import os
 from collections.abc import Mapping
 from pathlib import Path
@@ -13,14 +12,13 @@ from upright import control
 from upright.control import Controller
 from upright.errors import InvalidController, InvalidScenario, UnknownName
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn
-from upright.experiment.notation import programme, vector
+from upright.experiment.notation import first_state, is_number, programme
 from upright.fleets.campaign import CHUNK, Campaign, Case
 from upright.fleets.ensemble import Ensemble
 from upright.fleets.vary import varied, with_number
 from upright.reading import read_toml, understood
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Family, at_medians
-from upright.signals import STATE_NAMES
 
 Table = Mapping[str, Any]
 
@@ -56,7 +54,7 @@ def campaign_of(table: Table, folder: Path = Path(), where: str = "the campaign"
     scenarios: list[Table] = table.get("scenario", [{}])
     grid: dict[str, list[float]] = table.get("grid", {})
     for name, values in grid.items():
-        if not (isinstance(cast(Any, values), list) and values and all(_number(v) for v in values)):
+        if not (isinstance(cast(Any, values), list) and values and all(is_number(v) for v in values)):
             raise InvalidScenario(f"{where}: grid.{name} is {values!r}", expected="a list of numbers")
     robots, controllers = table.get("robots", ["nxtway-gs"]), table.get("controllers", ["lqg"])
     points = [dict(zip(grid, values, strict=True)) for values in itertools.product(*grid.values())]
@@ -89,7 +87,7 @@ def _case(
         controller=controller,
         pushes=tuple(_programme(p, PUSHES, where) for p in scenario.get("push", [])),
         references=tuple(_programme(r, REFERENCES, where) for r in scenario.get("reference", [])),
-        start=tuple(vector(_typed(scenario.get("start", {})), STATE_NAMES, f"{where}: start")),
+        start=first_state(scenario.get("start", {}), f"{where}: start"),
         seconds=float(scenario.get("seconds", table.get("seconds", 10.0))),
         seed=int(table.get("seed", 0)),
         model=str(table.get("model", "complete")),
@@ -130,12 +128,7 @@ def _programme(table: Any, kinds: Mapping[str, type], where: str) -> Any:
     name = str(entry.pop("kind", ""))
     if name not in kinds:
         raise UnknownName(f"kind of push or reference in {where}", name, kinds)
-    return programme(kinds[name], _typed(entry), f"{where}: {name}")
-
-
-def _typed(numbers: Table) -> str:
-    """As on the command line."""
-    return ",".join(f"{name}={value}" for name, value in numbers.items())
+    return programme(kinds[name], entry, f"{where}: {name}")
 
 
 def _check(table: Any, kinds: Mapping[str, type], where: str) -> None:
@@ -145,12 +138,8 @@ def _check(table: Any, kinds: Mapping[str, type], where: str) -> None:
         if key not in kinds:
             raise UnknownName(f"entry of {where}", key, kinds)
         kind = kinds[key]
-        good = _number(value) if kind in (int, float) else isinstance(value, kind)
+        good = is_number(value) if kind in (int, float) else isinstance(value, kind)
         if not good or (kind is int and int(value) != value):
             raise InvalidScenario(f"{where}: {key} is {value!r}", expected=_WORDS[kind])
         if key in _TEXTS and not all(isinstance(entry, str) for entry in value):
             raise InvalidScenario(f"{where}: {key} is {value!r}", expected="a list of texts in quotes")
-
-
-def _number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)

@@ -85,7 +85,7 @@ def _refusal(error: ValueError) -> InvalidMessage:
     where = ".".join(str(part) if str(part).isprintable() else "…" for part in first["loc"])[:120] or "the message"
     if objection.startswith(EXPECTED):
         return InvalidMessage(f"{where} is {_short(value)}", expected=objection.removeprefix(EXPECTED)[:200])
-    return InvalidMessage(f"{where}: {objection[:200]}")
+    return InvalidMessage(f"{where}: {objection.removeprefix('Value error, ')[:200]}")
 
 
 EXPECTED = "Input should be "

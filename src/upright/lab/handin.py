@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Sequence
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, fields, replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
-from annotated_types import Interval, MaxLen, Predicate
+from annotated_types import Interval, MaxLen
 
 from upright.atomic import write_json
 from upright.errors import InvalidScenario, UprightError, one_line
@@ -49,21 +49,56 @@ class InvalidHandIn(UprightError):
     """A file that is no hand-in."""
 
 
-def _is_name(name: str) -> bool:
-    return bool(name.strip()) and len(name) <= LONGEST_NAME and name.isprintable()
+class Unfit(UprightError, ValueError):
+    """What a field of a hand-in cannot hold; pydantic tells a `ValueError` with the name of the field."""
+
+
+@dataclass(frozen=True)
+class Checked:
+    """That pydantic passes a field on through a function, which returns it or raises `Unfit`."""
+
+    through: Callable[[Any], Any]
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
+        from pydantic import AfterValidator  # slow to load
+
+        return AfterValidator(self.through).__get_pydantic_core_schema__(source, handler)
+
+
+def _named(student: str) -> str:
+    name = student.strip()
+    if not (name.isprintable() and 1 <= len(name) <= LONGEST_NAME):
+        raise Unfit(f"no name of 1 to {LONGEST_NAME} letters")
+    return name
 
 
 def _can_be_run(setup: Setup) -> bool:
     return bool(setup.bodies) and setup.bodies[0] != "calibrated"
 
 
-def _is_step(step: float) -> bool:
-    return step in STEPS
+def _that_runs(setup: Setup) -> Setup:
+    if not _can_be_run(setup):
+        raise Unfit("its first body cannot be run again")
+    return setup
 
 
-def _in_order(actions: Sequence[tuple[float, Action]]) -> bool:
+def _known_step(step: float) -> float:
+    if step not in STEPS:
+        raise Unfit(f"none of the steps {', '.join(f'{one:g}' for one in STEPS)} s")
+    return step
+
+
+def _short_enough(seconds: float) -> float:
+    if not 0 < seconds <= LONGEST:
+        raise Unfit(f"not more than 0 and at most {LONGEST:g} s")
+    return seconds
+
+
+def _in_order(actions: tuple[tuple[float, Action], ...]) -> tuple[tuple[float, Action], ...]:
     times = [t for t, _ in actions]
-    return times == sorted(times)
+    if times != sorted(times):
+        raise Unfit("the actions are out of order")
+    return actions
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,15 +127,15 @@ class HandIn:
     """A run of `seconds` of the first body of `setup`, stood up at the pitch `lean` [rad], its `actions` each with its
     time [s]; `step` [s] is the body's. `claimed` is what the student's machine saw, `seal` a checksum of the rest."""
 
-    student: Annotated[str, Predicate(_is_name)]
-    setup: Annotated[Setup, Predicate(_can_be_run)]
-    step: Annotated[float, Predicate(_is_step)]
+    student: Annotated[str, Checked(_named)]
+    setup: Annotated[Setup, Checked(_that_runs)]
+    step: Annotated[float, Checked(_known_step)]
     lean: Annotated[float, Interval(ge=-1.2, le=1.2)]
-    seconds: Annotated[float, Interval(gt=0, le=LONGEST + 1e-6)]
+    seconds: Annotated[float, Checked(_short_enough)]
     actions: Annotated[
         tuple[tuple[Annotated[float, Interval(ge=0, le=LONGEST)], Action], ...],
         MaxLen(MOST_ACTIONS),
-        Predicate(_in_order),
+        Checked(_in_order),
     ]
     claimed: RunResult
     seal: Annotated[str, MaxLen(64)] = ""
@@ -191,9 +226,12 @@ class Recorder:
                 Say("there is no run to hand in"),
                 hint=Say("press Stand up, push the robot, then hand in within a minute"),
             )
-        if not _is_name(student):
-            raise InvalidScenario(Say("a name has 1 to {n} letters", n=LONGEST_NAME), hint=Say("write your name"))
+        try:
+            name = _named(student)
+        except Unfit:
+            said = Say("a name has 1 to {n} letters", n=LONGEST_NAME)
+            raise InvalidScenario(said, hint=Say("write your name")) from None
         return HandIn(
-            student=student.strip(), setup=setup, step=self._step, lean=self._lean, seconds=seconds,
+            student=name, setup=setup, step=self._step, lean=self._lean, seconds=seconds,
             actions=tuple(self._actions), claimed=claimed,
         )  # fmt: skip

@@ -167,7 +167,7 @@ def _next(result: OwnRobot, log: str) -> Next:
     robot = result.robot.name
     if not result.comparison.pushed:
         why = Say("Say when your robot was pushed, and how hard.")
-        return Next("reproduce", log=log, robot=robot, push="impulse:0.06,start=3", why=why)
+        return Next("reproduce", log=log, robot=robot, push="impulse:SIZE,start=TIME", why=why)
     if CALIBRATED in result.comparison.logs:
         why = Say("It learns the robot of this log.")
         return Next("calibrate", log, robot=robot, output="robot.toml", why=why)

@@ -110,9 +110,7 @@ def chapter(trials: Sequence[RegulatedRobot], kit: Kit, progress: Progress = unw
 
 def push(trial: RegulatedRobot, side: str, kit: Kit) -> list[Comparison]:
     """The robot held at the paper's pitch and released, for each of `SEEDS`: the twin on its sensors, beside both
-    models on their true states.
-
-    """
+    models on their true states."""
     robot = trial.robot
     supply = battery_of(kit)
     bodies = {"nonlinear": NonlinearBody(robot), "linear": LinearBody(trial.linear, robot)}

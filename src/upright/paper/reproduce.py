@@ -17,7 +17,7 @@ from upright.languages import ENGLISH, speaking
 from upright.pages import Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Result, Say, Table, Verdict
 from upright.pages.result import write_page
 from upright.paper import as_built, controllers, equations, linear_model, printed, pushes, regulator, sensors, turning
-from upright.paper.claim import BADGES, BEYOND, NOT_AS_PRINTED, REPRODUCED, UNKNOWN, Claim
+from upright.paper.claim import BADGES, BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim
 from upright.paper.pushes import MODELS, RegulatedRobot
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot
@@ -57,9 +57,9 @@ class Reproduction(Result):
         if len(reproduced) == len(self.judged):
             verdict = BADGES[REPRODUCED]
         lead = [Say("A twin, simulated by MuJoCo, stands in for the robot.")]
-        fails = {claim.part for claim in self.judged if claim.verdict in (NOT_AS_PRINTED, UNKNOWN)}
-        if fails == {"1b", "4"}:
-            lead.append(Say("Equations and gains are not as printed."))
+        fails = [claim.title for claim in self.judged if claim.verdict == NOT_AS_PRINTED]
+        if fails:
+            lead.append(Say("Not as printed: {titles}.", titles=fails))
         drawn = next((claim for claim in self.claims if claim.part == DRAWN), None)
         why = Say("A real robot's log tells how it settles.")
         versions = ", ".join(f"{name} {number}" for name, number in _versions().items())

@@ -245,7 +245,7 @@ class _Drawing:
         moving: list[Artist] = [self._floor(camera)]
         for robot in self.robots:
             moving += robot.place(robot.run.at(time), camera)
-        moving += self._push(lead, time, camera)
+        moving += self._push(time, camera)
         self.clock.set_text(localised(f"{time:.1f} s"))
         for cursor in self.cursors:
             cursor.set_xdata([time, time])
@@ -263,7 +263,8 @@ class _Drawing:
         self.marks.set_data(x, y)
         return self.marks
 
-    def _push(self, run: _Run, time: float, camera: float) -> list[Artist]:
+    def _push(self, time: float, camera: float) -> list[Artist]:
+        run = self.runs[0]
         near = [(a, b) for a, b in self.pushes if a <= time <= max(b, a + SHOWN_PUSH)]
         if not near:
             return []
