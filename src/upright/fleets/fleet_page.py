@@ -199,13 +199,13 @@ def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
     return legend(figure)
 
 
-def _edges(values: Array, bins: int) -> int | Array:
+def _edges(values: Array, bins: int) -> int | list[float]:
     """So many bins at most; of fewer values than that, as of counted periods, the borders halfway between them."""
     unique = np.unique(np.round(values, 9))
     repeated = 2 * len(unique) <= len(values)  # else a bin for each would hold one robot, and show nothing
     if not (repeated and 1 < len(unique) < bins):
         return min(bins, len(unique))
     middle = (unique[1:] + unique[:-1]) / 2
-    first = 2 * unique[0] - middle[0]
-    last = 2 * unique[-1] - middle[-1]
-    return np.concatenate([[first], middle, [last]])
+    first = float(2 * unique[0] - middle[0])
+    last = float(2 * unique[-1] - middle[-1])
+    return [first, *middle.tolist(), last]

@@ -54,15 +54,15 @@ class Unfit(UprightError, ValueError):
 
 
 @dataclass(frozen=True)
-class Checked:
-    """That pydantic passes a field on through a function, which returns it or raises `Unfit`."""
+class Through:
+    """A function through which pydantic passes a field on, and which returns it or raises `Unfit`."""
 
-    through: Callable[[Any], Any]
+    check: Callable[[Any], Any]
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
         from pydantic import AfterValidator  # slow to load
 
-        return AfterValidator(self.through).__get_pydantic_core_schema__(source, handler)
+        return AfterValidator(self.check).__get_pydantic_core_schema__(source, handler)
 
 
 def _named(student: str) -> str:
@@ -127,15 +127,15 @@ class HandIn:
     """A run of `seconds` of the first body of `setup`, stood up at the pitch `lean` [rad], its `actions` each with its
     time [s]; `step` [s] is the body's. `claimed` is what the student's machine saw, `seal` a checksum of the rest."""
 
-    student: Annotated[str, Checked(_named)]
-    setup: Annotated[Setup, Checked(_that_runs)]
-    step: Annotated[float, Checked(_known_step)]
+    student: Annotated[str, Through(_named)]
+    setup: Annotated[Setup, Through(_that_runs)]
+    step: Annotated[float, Through(_known_step)]
     lean: Annotated[float, Interval(ge=-1.2, le=1.2)]
-    seconds: Annotated[float, Checked(_short_enough)]
+    seconds: Annotated[float, Through(_short_enough)]
     actions: Annotated[
         tuple[tuple[Annotated[float, Interval(ge=0, le=LONGEST)], Action], ...],
         MaxLen(MOST_ACTIONS),
-        Checked(_in_order),
+        Through(_in_order),
     ]
     claimed: RunResult
     seal: Annotated[str, MaxLen(64)] = ""
@@ -229,8 +229,8 @@ class Recorder:
         try:
             name = _named(student)
         except Unfit:
-            said = Say("a name has 1 to {n} letters", n=LONGEST_NAME)
-            raise InvalidScenario(said, hint=Say("write your name")) from None
+            wrong = Say("a name has 1 to {n} letters", n=LONGEST_NAME)
+            raise InvalidScenario(wrong, hint=Say("write your name")) from None
         return HandIn(
             student=name, setup=setup, step=self._step, lean=self._lean, seconds=seconds,
             actions=tuple(self._actions), claimed=claimed,
