@@ -148,7 +148,7 @@ def test_genuine_forged_and_broken_hand_ins_are_distinguished(tmp_path, genuine)
         ({"student": " " * 3}, "student: no name of 1 to 40 letters"),
         ({"student": "a" * 41}, "student: no name of 1 to 40 letters"),
         ({"step": 0.5}, "step: none of the steps 0.001, 0.002, 0.01 s"),
-        ({"seconds": 60.1}, "seconds: not more than 0 and at most 60 s"),
+        ({"seconds": 60.1}, "seconds: no length of 0 to 60 s"),
         ({"setup": replace(MODEL, bodies=("calibrated",))}, "setup: its first body cannot be run again"),
         ({"actions": ((2.0, Drag(0.1, 0.0)), (1.0, Drag(0.0, 0.0)))}, "actions: the actions are out of order"),
     ],

@@ -90,7 +90,7 @@ def _known_step(step: float) -> float:
 
 def _short_enough(seconds: float) -> float:
     if not 0 < seconds <= LONGEST:
-        raise Unfit(f"not more than 0 and at most {LONGEST:g} s")
+        raise Unfit(f"no length of 0 to {LONGEST:g} s")
     return seconds
 
 
