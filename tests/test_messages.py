@@ -70,7 +70,7 @@ def test_help_is_spanish() -> None:
         ("design lqg --save no/k.json", "no existe la carpeta no para k.json; pruebe: mkdir -p no"),
         ("certify broken.json", "broken.json no es JSON (falta un nombre entre comillas dobles: línea 2 columna 1"),
         ("compare empty.csv", "empty.csv: "),
-        ("simulate --excite x.json", "x.json: JSON sin schema; se esperaba upright/excite/"),
+        ("simulate --excite x.json", "x.json: JSON sin «schema»; se esperaba upright/excite/"),
         ("simulate --robot bad.toml", 'bad.toml es TOML dañado: "Expected '),  # tomllib's own words
         ("simulate -c my.py:Rod", "controlador my.py:Rod da Rod sin applied, "),
         ("doctor my.py", "my.py: las filas no se pueden leer ("),
