@@ -20,7 +20,7 @@ from upright.diagnose import post_mortem
 from upright.errors import InvalidLog
 from upright.experiment import Drive, Impulse, outcome_of, run
 from upright.experiment.examples import example
-from upright.logs.readers import RawTable, read_table
+from upright.logs.readers import RawTable, read_table, table_of
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -389,6 +389,18 @@ def test_a_fall_begins_with_its_push_and_is_dated_where_programs_stop() -> None:
     told = float(said.replace("\u00a0", " ").split("falls at ")[1].split(" ")[0])
     assert told == pytest.approx(fell, abs=0.03)
     assert found.repaired().t[-1] == pytest.approx(4.9, abs=0.05)  # the quiet rows before the push are kept
+
+
+@pytest.mark.parametrize(("scale", "missing"), [(1000.0, False), (1.0, True)])
+def test_a_fall_is_dated_by_the_repaired_clock(scale: float, missing: bool) -> None:
+    """A clock in milliseconds, and one that lacks a time: the fall is where that of the sound log is, to a row."""
+    log = example("fall")
+    table = table_of(log)
+    t = scale * log.t
+    t[len(t) // 2] = np.nan if missing else t[len(t) // 2]
+    found = doctor(replace(table, columns={**table.columns, "t": t}))
+    assert found.fell_at == pytest.approx(doctor(log).fell_at, abs=log.period)
+    assert any("falls at" in str(line) for line in found.page().lead)
 
 
 @pytest.mark.needs("shared/cases/motors-off")

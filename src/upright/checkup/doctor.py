@@ -35,6 +35,7 @@ from upright.checkup.counts import distances
 from upright.checkup.examined import LogExamined
 from upright.checkup.finding import (
     CONTRADICTORY,
+    FALLING,
     FEWEST,
     LEFT,
     PITCH,
@@ -49,7 +50,7 @@ from upright.checkup.finding import (
 from upright.checkup.fixes import repaired
 from upright.checkup.scale import against_robot
 from upright.checkup.titles import place_of, title_of
-from upright.checkup.wheels import record_of
+from upright.checkup.wheels import passed_stop, record_of
 from upright.checkup.wrapped import wrapped
 from upright.errors import InvalidLog
 from upright.logs.mapping import GUESS, Mapping, Source, channels_of, find_mapping, propose
@@ -116,10 +117,11 @@ def doctor(
     ranked = tuple(sorted(findings, key=lambda finding: order[finding.severity]))
     origin = dict(table.origin) | ({"file": table.source, "mapping": chosen.name} if table.source else {})
     seconds = float(last.t[-1] - last.t[0])
+    fell_at = tuple(passed_stop(last, segment) for segment in last.segments if segment.kind == FALLING)
     given = str(source) if isinstance(source, str | Path) else table.source
     return Diagnosis(
         source=given, mapping=chosen, findings=ranked, rows=len(raw.t), seconds=seconds, period=last.period,
-        segments=last.segments, ignored=tuple(chosen.ignored(table)), _raw=raw, _origin=origin,
+        segments=last.segments, fell_at=fell_at, ignored=tuple(chosen.ignored(table)), _raw=raw, _origin=origin,
     )  # fmt: skip
 
 

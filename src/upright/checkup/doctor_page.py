@@ -11,7 +11,6 @@ from upright.checkup import sensors
 from upright.checkup.finding import (
     BALANCING,
     CONTRADICTORY,
-    FALLING,
     GYRO,
     LEFT,
     ON_WHEELS,
@@ -22,7 +21,6 @@ from upright.checkup.finding import (
     instant,
 )
 from upright.checkup.titles import CHANNELS, CHECKS, POSES, check_of, place_of, title_of
-from upright.checkup.wheels import passed_stop
 from upright.logs.mapping import GUESS, Source
 from upright.pages import (
     MOST_NUMBERS,
@@ -122,9 +120,8 @@ def _lead(result: LogExamined) -> list[Say]:
     lead: list[Say] = []
     balanced = _balanced(result)
     facts = {"balanced": Quantity(balanced, "s"), "seconds": Quantity(result.seconds, "s")}
-    falls = [passed_stop(result.read, s) for s in result.segments if s.kind == FALLING]
-    if balanced and falls:
-        lead.append(Say("The robot balances for {balanced} and falls at {at}.", **facts, at=instant(falls[0])))
+    if balanced and result.fell_at:
+        lead.append(Say("The robot balances for {balanced} and falls at {at}.", **facts, at=instant(result.fell_at[0])))
     elif balanced >= result.seconds:  # a part counts the period of its last row too
         lead.append(Say("The robot balances in the whole log, {seconds}.", **facts))
     elif result.segments:

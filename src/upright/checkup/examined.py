@@ -14,7 +14,8 @@ from upright.logs.mapping import Mapping
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class LogExamined:
     """All findings on one log, worst first; `mapping` says which column was read as which channel, `ignored` names the
-    others; `segments` are the poses in the order of time.
+    others; `segments` are the poses in the order of time, `fell_at` when each fall among them passed the lean at which
+    programs stop [s]: times of the repaired log.
 
     `robot` is the one that the log names, if any; `mapped` and `saved` are the files of its mapping and of its repair,
     where there are such.
@@ -27,6 +28,7 @@ class LogExamined:
     seconds: float
     period: float
     segments: tuple[Segment, ...]
+    fell_at: tuple[float, ...]
     ignored: tuple[str, ...]
     mapped: str = ""
     saved: str = ""
