@@ -311,6 +311,21 @@ def test_what_a_log_shows_is_what_to_mend_next() -> None:
         assert step.verb in str(certificate)
 
 
+def test_encoders_are_added_only_where_a_free_place_is_a_reason() -> None:
+    """A red certificate whose second reason is a free place gets them; one of motors that saturate gets weights."""
+    margins = linear_margins(gyro_alone(20.0, 100.0, 1.0), ROBOT, KIT)
+    assert margins is not None
+    assert margins.free
+    subject = green().subject | {"kit": {"sensor/gyro": {}}}
+    bare = dataclasses.replace(green(), linear=margins, subject=subject, controller="pid")
+    fallen = dataclasses.replace(bare, light=RED, fell=150)
+    assert [reason.kind for reason in fallen.reasons] == ["spread", "free"]
+    hard = tuple(dataclasses.replace(t, saturated=0.3) for t in green().trials)
+    limited = dataclasses.replace(bare, light=AMBER, linear=green().linear, trials=hard)
+    assert limited.reasons[0].kind == "saturated"
+    assert ["kit" in one.page().next[0].options for one in (fallen, limited)] == [True, False]
+
+
 @pytest.mark.parametrize(
     ("trial", "shown"),
     [

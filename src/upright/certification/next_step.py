@@ -42,7 +42,8 @@ def next_step(c: Measurements) -> Next:
 def _mending(c: Measurements, asked: str) -> Next:
     """What would mend the first reason of a light that is not green."""
     kind = c.reasons[0].kind
-    if "log" in (reason.kind for reason in c.reasons):  # no weight mends what a log shows
+    kinds = [reason.kind for reason in c.reasons]
+    if "log" in kinds:  # no weight mends what a log shows
         if any(s.name == MASS for s in (*c.support, *c.taken) if s.left_open or s.excess > 0):
             return Next("certify", asked, robot=c.robot, weighed="KG", why=Say("A scale tells the mass."))
         return Next("certify", asked, robot=c.robot, log="LOG",
@@ -50,7 +51,7 @@ def _mending(c: Measurements, asked: str) -> Next:
     if kind == "weak":
         return Next("certify", asked, robot="CHANGED.toml",
                     why=Say("First give the robot a higher gear ratio or battery."))  # fmt: skip
-    if c.linear and c.linear.free and not any("encoder" in name for name in c.subject["kit"]):
+    if "free" in kinds and not any("encoder" in name for name in c.subject["kit"]):
         return Next("certify", asked, robot=c.robot, kit="CHANGED.toml",
                     why=Say("Without encoders no weights resist a steady push: add encoders first."))  # fmt: skip
     if c.controller in TUNABLE:

@@ -38,6 +38,7 @@ NAMED = {
     "share of readings that count": Say("the share of readings that count"),
 }  # fmt: skip
 """What a log shows besides the parameters of a robot."""
+FURTHER = ("further delay", "gyro's further delay")  # than the kit's
 NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
 DRAWN = 24  # robots whose differences stand for the spreads
 CORRELATED = 0.5  # [s] over which the correlation of innovations is summed
@@ -117,7 +118,7 @@ class Support:
         """The number beside what was assumed, or what the file states."""
         value = Quantity(self.value, self.unit)
         if self.stated is None:
-            if self.unit == "s" and self.least < 0 < self.most < self.value:  # a further delay, about none
+            if self.name in FURTHER and self.value > self.most:
                 facts = {"name": self.named, "value": value, "most": Quantity(self.most, "s")}
                 return Say("{name} is {value}; the kit's was trusted to {most}", **facts)
             return Say("{name} is {value}, assumed {range}", name=self.named, value=value, range=self.assumed)
