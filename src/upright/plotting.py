@@ -10,7 +10,7 @@ from __future__ import annotations
 import functools
 import math
 import textwrap
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from io import BytesIO
@@ -65,6 +65,7 @@ BELOW: dict[str, Any] = {"linewidth": 4.0, "alpha": 0.35}
 ROWS = "rows"  # id of axes with a row for each name
 CLOUD = 500  # points: so many are a picture on a page, not each an element of it
 MANY = 12  # rows of names: more are closer together
+NARROWEST = 0.01  # of the x that is shown: the width of a shaded interval at least, 3 pixels on a phone
 COLUMNS = 1000  # of a line that is thinned: two for each column of pixels at the width of a page
 
 
@@ -151,6 +152,16 @@ def span(axes: Sequence[Axes], start: float, stop: float, name: str, colour: str
     for ax in axes:
         ax.axvspan(start, stop, color=colour, alpha=0.22 if colour == SPAN else 0.12, linewidth=0, zorder=0,
                    label=translated(name))  # fmt: skip
+
+
+@styled
+def shade(
+    axes: Sequence[Axes], name: str, intervals: Iterable[tuple[float, float]], shown: tuple[float, float]
+) -> None:
+    """Shade intervals of x in all `axes`, within the first and last x `shown`; a short one wide enough to be seen."""
+    first, last = shown
+    for start, stop in intervals:
+        span(axes, start, max(min(stop, last), start + NARROWEST * (last - first)), name)
 
 
 @styled

@@ -25,9 +25,6 @@ STATES = {
 }  # fmt: skip
 
 
-NARROWEST = 0.01  # of the time that is shown: a knock is shaded at least so long, to be seen
-
-
 def state_words(name: str) -> Say:
     """A state in words; one that is no robot's as it is."""
     return STATES.get(name, Say("{name}", name=name))
@@ -75,11 +72,11 @@ def _mark_rest(comparison: Compared, ax: Axes, when: float) -> None:
 
 def _finished(comparison: Compared, axes: Sequence[Axes]) -> Figure:
     """The figure of these panels, with the pushes shaded."""
-    from upright.plotting import legend, span
+    from upright.plotting import legend, shade
 
-    end = max(float(log.t[-1]) for log in comparison.logs.values())
-    for start, stop in comparison.pushed:
-        span(axes, start, max(min(stop, end), start + NARROWEST * end), str(Say("push acts")))
+    logs = comparison.logs.values()
+    shown = min(float(log.t[0]) for log in logs), max(float(log.t[-1]) for log in logs)
+    shade(axes, str(Say("push acts")), comparison.pushed, shown)
     figure = axes[0].get_figure(root=True)
     assert figure
     return legend(figure)

@@ -26,7 +26,6 @@ READINGS = {
     "estimate/pitch": Say("estimated pitch"),
 }
 BEYOND = 0.5  # of the measured range, above and below it: a simulation that goes further is cut at the frame
-NARROWEST = 0.006  # of the time that is shown: a knock is shaded at least so long, to be seen
 
 
 def reading(name: str) -> Say:
@@ -36,7 +35,7 @@ def reading(name: str) -> Say:
 
 def half_second_figure(log: LogJudged) -> Figure:
     """Measured and predicted readings, half a second at a time; those that do not pass first, the worst of them."""
-    from upright.plotting import legend, line, panels, span
+    from upright.plotting import legend, line, panels, shade
 
     r2 = {c.name: min(c.r2, GOOD) for c in log.half_seconds}
     names = [name for name in log.segments.rows if name in PREDICTED] or list(log.segments.rows)
@@ -51,15 +50,14 @@ def half_second_figure(log: LogJudged) -> Figure:
     t, measured, predicted = _degrees(*log.segments.series(lowest))
     line(axes[-1], "_error", t, measured - predicted, style=0, solid=True)
     if log.simulated is not None and len(log.segments.when):
-        width = NARROWEST * float(np.ptp(log.segments.when))
-        for start, stop in log.simulated.pushes:
-            span(axes, start, max(stop, start + width), str(Say("push")))
+        when = log.segments.when
+        shade(axes, str(Say("push")), log.simulated.pushes, (float(when.min()), float(when.max())))
     return legend(figure)
 
 
 def loop_figure(loop: FreeLoop) -> Figure:
     """Measured readings, and those of the free closed loop, with its pushes and when each reading is lost."""
-    from upright.plotting import AXIS, legend, line, panels, span
+    from upright.plotting import AXIS, legend, line, panels, shade
 
     figure, axes = panels([_label(name) for name in loop.names])
     for i, ax in enumerate(axes):
@@ -70,9 +68,7 @@ def loop_figure(loop: FreeLoop) -> Figure:
         room = BEYOND * (high - low)
         if np.nanmax(simulated) > high + room or np.nanmin(simulated) < low - room:
             ax.set_ylim(low - room, high + room)
-    least_width = NARROWEST * float(np.ptp(loop.t))
-    for start, stop in loop.pushes:
-        span(axes, start, max(stop, start + least_width), str(Say("push, not simulated")))
+    shade(axes, str(Say("push, not simulated")), loop.pushes, (float(loop.t[0]), float(loop.t[-1])))
     for ax, channel in zip(axes, loop_channels(loop), strict=True):
         if channel.breaks is not None and channel.name != COMPASS:
             ax.axvline(channel.breaks, linestyle="--", linewidth=1, color=AXIS)
