@@ -20,6 +20,7 @@ from upright.diagnose.fall import (
     Authority,
     StuckSensor,
     authority,
+    blind,
     fall_time,
     falling,
     far_from_zero,
@@ -57,6 +58,7 @@ from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.linear import linearise
 from upright.progress import Progress
 from upright.robots import Kit, Robot
+from upright.robots.kit import STOP
 from upright.signals import Log
 
 EXCURSION = 1.2  # [s] of a quick robot before the fall, in which a push or a demand must lie to be its cause
@@ -78,7 +80,7 @@ FEWEST_FREE = 4  # rows with motors below their limit, for a median of how they 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Evidence:
-    """What was measured of a fall at the time `fell_at` [s].
+    """What was measured of a fall up to the time `fell_at` [s]; programs stop their motors at `stopped_at` [s].
 
     `fits` are the hypotheses, the likeliest first, `pairs` two faults at once, and `left` is what the likeliest leaves,
     where it leaves something. `ordinary` is the scale of the innovations before the fall, `calm` that of its calmer
@@ -111,6 +113,7 @@ class Evidence:
     throw: Throw | None
     notes: tuple[Say, ...]
     slid: float = math.nan
+    stopped_at: float = math.nan
 
     @cached_property
     def weights(self) -> Array:
@@ -160,19 +163,19 @@ def _pushes_only(several: Sequence[FaultFit]) -> FaultFit:
 def gather(
     log: Log, robot: Robot, kit: Kit, controller: Controller | None, show: Progress
 ) -> tuple[FilterRun, Evidence | None]:
-    """The filter along a log, and all evidence of its fall; None where it did not fall.
-    A fall is one of the integrated motion. Where that shows none, a filter that is lost may, if it is of this robot.
-    """
+    """The filter along a log, and all evidence of its fall, one of the integrated motion; None where it did not fall.
+    Where that motion shows no fall, a filter that is lost may, if it is of this robot."""
     kit = with_supply(kit, log, robot)
     throw, fallen = thrown(log, robot, kit, float(log.t[-1])), last_fall(log) is not None
     gone = throw is not None and throw.lost
-    blind = _blind(stuck_sensor(log, kit, float(log.t[-1])))  # nothing balances while its gyro stands still
-    falls = fallen or gone or blind
+    unseeing = blind(stuck_sensor(log, kit, float(log.t[-1])))  # nothing balances while its gyro stands still
+    falls = fallen or gone or unseeing
     whole = on_even_clock(follow(log, robot, kit) if falls else followed_on(on_its_wheels(log)[0], robot, kit))
     log, fell_at, run = whole.log if falls else log, fall_time(whole), thinned(whole)
+    stopped_at = fall_time(whole, STOP)  # None of a fall that shows otherwise: then programs stop where it ends
     if throw is not None and gone and (fell_at is None or fell_at < throw.start):
-        fell_at, fallen = float(log.t[-1]), True
-    if fell_at is None and blind:
+        fell_at, stopped_at, fallen = float(log.t[-1]), None, True
+    if fell_at is None and unseeing:
         fell_at, fallen = float(run.t[-1]), True
     window = window_of(run, float(run.t[-1]) if fell_at is None else fell_at)
     show(0.1)
@@ -182,11 +185,11 @@ def gather(
     if not fallen and (window.usual > FOREIGN or (fell_at is None and not _lost(run, window))):
         return whole, None
     still = stuck_sensor(log, kit, window.end)
-    foreign = _blind(still) or (window.usual > FOREIGN and still is None)  # no cause will rest on the fits
+    foreign = blind(still) or (window.usual > FOREIGN and still is None)  # no cause will rest on the fits
     bank, several = _beside_pushes(run, window, foreign)
     scaled = mis_scaled(run, window) if not foreign and _unexplained(several, bank, quiet_of(run, window)) else []
     if not foreign and (true := sooner(run, [*several, *scaled], window)) is not None:
-        fell_at, window = true, window_of(run, true)
+        fell_at, stopped_at, window = true, None, window_of(run, true)
         bank, several = _beside_pushes(run, window, foreign)
     show(0.4)
     if not foreign and _unexplained(several, bank, quiet_of(run, window)):
@@ -211,7 +214,8 @@ def gather(
     window, bank, several = slid or (window, bank, several)
     show(0.9)
     evidence = _evidence(whole, run, fell_at, window, bank, several, controller)
-    return whole, replace(evidence, slid=window.end) if slid else evidence
+    stopped_at = fell_at if stopped_at is None else stopped_at
+    return whole, replace(evidence, stopped_at=stopped_at, slid=window.end if slid else math.nan)
 
 
 def _beside_pushes(run: FilterRun, window: Window, foreign: bool) -> tuple[Bank, list[FaultFit]]:
@@ -234,10 +238,6 @@ def _sound_until(
     part = window_of(run, at)
     sound = fits(before := part.bank(run, pushes_only=False))
     return (part, before, sound) if not _unexplained(sound, before, part.usual) else None
-
-
-def _blind(still: StuckSensor | None) -> bool:
-    return still is not None and "gyro" in still.channel
 
 
 def _lost(run: FilterRun, window: Window) -> bool:

@@ -60,12 +60,6 @@ def fall_time(run: FilterRun, level: float = LEANING) -> float | None:
     return float(run.t[upright[-1]])
 
 
-def fell_at(run: FilterRun, end: float) -> float:
-    """When a robot had fallen [s] whose fall is examined up to the `end` [s]: at the lean at which every program stops
-    its motors, where that end is at `LEANING`."""
-    return fall_time(run, STOP) or end if end == fall_time(run) else end
-
-
 def falling_lean(run: FilterRun) -> tuple[Array, Array] | None:
     """Times [s] from where the last fall begins, and the lean [rad] that the gyro integrates to from there; None where
     the integrated motion shows no fall."""
@@ -253,6 +247,11 @@ class StuckSensor:
     start: float
     clipped: bool = False
     beyond: bool = False
+
+
+def blind(stuck: StuckSensor | None) -> bool:
+    """Whether the gyro is what stands still."""
+    return stuck is not None and "gyro" in stuck.channel
 
 
 def far_from_zero(stuck: StuckSensor, kit: Kit) -> bool:

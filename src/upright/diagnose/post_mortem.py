@@ -19,12 +19,13 @@ import numpy as np
 
 from upright.checkup.doctor import contradictions
 from upright.checkup.finding import FEWEST as FEWEST_POSES
+from upright.checkup.finding import Segment
 from upright.checkup.wheels import passed_stop, record_of
 from upright.control import Controller, controller_hash, find_controller
 from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE
 from upright.diagnose.evidence import FOREIGN, Evidence, gather
 from upright.diagnose.examined import FallExamined
-from upright.diagnose.fall import against, fell_at, last_fall
+from upright.diagnose.fall import against, last_fall
 from upright.diagnose.remedy import UNTIL, timed_out
 from upright.diagnose.saved import with_saved
 from upright.diagnose.series import Series, series_of
@@ -114,7 +115,7 @@ def post_mortem(
     if unfinished:
         notes = (UNFINISHED.about(seconds=Quantity(seconds, "s"), longer=round(5 * seconds)), *notes)
     return PostMortem(
-        verdict=verdict, causes=causes, fell_at=fell_at(run, evidence.fell_at), onset=causes[0].onset,
+        verdict=verdict, causes=causes, fell_at=evidence.stopped_at, onset=causes[0].onset,
         missing=missing, notes=notes, series=series_of(run, evidence.fell_at), misfit=math.sqrt(evidence.ordinary),
         **head,
     )  # fmt: skip
@@ -125,7 +126,7 @@ def _short(log: Log, head: dict[str, Any]) -> PostMortem:
     if len(log) < FEWEST_POSES:
         raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST_POSES} to see a fall")
     fall = last_fall(log)
-    fell, onset = _by_body(log)
+    fell, onset = _dated(log, fall)
     causes = reversed_causes(against(log, fall), onset) if fall else ()
     too_few = Say("{n} rows", n=FEWEST)
     return PostMortem(
@@ -146,25 +147,25 @@ def _untold(log: Log, head: dict[str, Any]) -> PostMortem | None:
     """Whether a robot fell whose motors are off, when why is no question, or whose log lacks what would tell why; None
     of any other."""
     missing = missing_channels(log)
-    fell, onset = _by_body(log)
-    if missing and not (_off(log) and math.isfinite(fell)):
+    off = _off(log)
+    if not missing and not off:
+        return None
+    fall = last_fall(log) if len(log) >= FEWEST_POSES else None
+    fell, onset = _dated(log, fall)
+    if missing and not (off and fall):
         return PostMortem(
             verdict=CANNOT_TELL, causes=(), fell_at=fell, onset=onset, missing=missing, notes=(),
             series=Series.none(), **head,
         )  # fmt: skip
-    if not _off(log):
-        return None
-    fallen = math.isfinite(fell)
-    notes = (Say("Both commands are 0 in every row: without motors every robot falls.") if fallen else SIDEWAYS,)
+    notes = (Say("Both commands are 0 in every row: without motors every robot falls.") if fall else SIDEWAYS,)
     return PostMortem(
-        verdict=CANNOT_TELL if fallen else NO_FALL, causes=(), fell_at=fell, onset=onset,
-        missing=(Say("motors at work"),) if fallen else (), notes=notes, series=Series.none(), **head,
+        verdict=CANNOT_TELL if fall else NO_FALL, causes=(), fell_at=fell, onset=onset,
+        missing=(Say("motors at work"),) if fall else (), notes=notes, series=Series.none(), **head,
     )  # fmt: skip
 
 
-def _by_body(log: Log) -> tuple[float, float]:
-    """When a robot fell, and when that began [s], by the motion of its body alone; NaN where that shows no fall."""
-    fall = last_fall(log) if len(log) >= FEWEST_POSES else None
+def _dated(log: Log, fall: Segment | None) -> tuple[float, float]:
+    """When a robot fell by the motion of its body alone, and when that began [s]; NaN without a fall."""
     return (passed_stop(record_of(log), fall), fall.start) if fall else (math.nan, math.nan)
 
 
