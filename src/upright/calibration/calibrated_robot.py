@@ -190,7 +190,6 @@ class CalibratedRobot(Result):
         ]
         values = np.linalg.eigvalsh(self.covariance / np.sqrt(np.outer(*[np.diag(self.covariance)] * 2)))
         wrong += [Say("The covariance of the numbers is not positive.")] if values[0] < -1e-9 else []
-        wrong += [self.uneven] if self.uneven else []
         try:
             self.robot.replace()
         except InvalidRobot as error:
@@ -202,15 +201,13 @@ class CalibratedRobot(Result):
         """In which sensors the model leaves more than noise; of how much weight that is, only R² says."""
         sensors = dict.fromkeys(channel(w.sensor) for w in self.whiteness if not w.white)
         return (
-            Say("What the model leaves of these is more than noise: {sensors}.", sensors=[*sensors])
-            if sensors
-            else None
+            Say("The model does not explain all of these readings: {sensors}.", sensors=[*sensors]) if sensors else None
         )
 
     @property
     def doubts(self) -> tuple[Say, ...]:
         """What speaks against a design with this robot, or for a test on another log first."""
-        doubts = [wrong for wrong in self.check() if wrong != self.uneven]
+        doubts = [*self.check()]
         if self.refused:
             return tuple(doubts)
         if not (self.missed or self.least_score >= GOOD):
@@ -306,6 +303,7 @@ class CalibratedRobot(Result):
             return [{k: finite(v) for k, v in dataclasses.asdict(item).items()} for item in items]
 
         decision = self.decision
+        uneven = [self.uneven] if self.uneven and not self.untold else []
         return {
             "schema": "upright/calibrate/1",
             "robot": {"name": self.robot.name, "drive": self.robot.drive, **self.robot.numbers()},
@@ -328,7 +326,7 @@ class CalibratedRobot(Result):
             "sources": list(self.sources),
             **{name: list(map(str, getattr(self, name))) for name in ("notes", "unseen", "refused", "apart", "missed")},
             "quiet": str(self.quiet or ""),
-            "wrong": list(map(str, self.check())),
+            "wrong": list(map(str, [*self.check(), *uneven])),
             "doubts": list(map(str, self.doubts)),
             "bars": {"r2": GOOD, "pole": ENOUGH},
             "suspects": list(self.suspects),

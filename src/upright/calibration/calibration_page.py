@@ -142,15 +142,14 @@ def _next(c: CalibratedRobot) -> list[Next]:
     if c.decision.next:
         return [c.decision.next]
     file = c.saved or FILE
-    then = Next("validate", file, "LOG")
-    why = Say("Take a log that was not fitted.")
-    if not c.doubts:
+    if c.doubts:
+        then = Next("validate", file, "LOG", why=Say("Take a log that was not fitted."))
+    else:
         then = Next("design", "lqg", robot=file, output="lqg.json")
-        why = None
-    if not c.saved:
-        why = Say("It writes this robot as a file. Then: {step}", step=then)
-        return [Next("calibrate", *c.sources, output=FILE, why=why)]
-    return [Next(then.verb, *then.given, why=why, **then.options)]
+    if c.saved:
+        return [then]
+    why = Say("It writes this robot as a file. Then: {step}", step=then)
+    return [Next("calibrate", *c.sources, output=FILE, why=why)]
 
 
 def _estimates(estimates: Sequence[Estimate], caption: Say | None = None) -> Table:
@@ -161,7 +160,7 @@ def _estimates(estimates: Sequence[Estimate], caption: Say | None = None) -> Tab
             Quantity(e.value, "1"),
             e.called,
             known_to(e.value, e.low, e.high),
-            known_to(e.prior, e.before.low or 0.0, e.before.high or math.inf),
+            known_to(e.prior, *e.before),
         ]
         for e in estimates
     ]

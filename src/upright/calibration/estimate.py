@@ -127,10 +127,10 @@ class Estimate:
         return Quantity(self.value, self.unit, low=self.low, high=self.high)
 
     @property
-    def before(self) -> Quantity:
-        """What was known before: the value, with 95 % of the prior; no number of a robot is below zero."""
+    def before(self) -> tuple[float, float]:
+        """The ends of 95 % of the prior, what was known before; no number of a robot is below zero."""
         low, high = (float(self.asked.value(side * NORMAL)) for side in (-1, 1))
-        return Quantity(self.prior, self.unit, low=None if low <= 0 and self.name in PARAMETERS else low, high=high)
+        return max(low, 0.0) if self.name in PARAMETERS else low, high
 
 
 def known_to(value: float, low: float, high: float) -> Say:

@@ -44,6 +44,8 @@ LEAN = math.radians(5.0)
 """[rad] At which it is let go, at rest."""
 UPRIGHT = math.radians(1.0)
 """[rad] Within this pitch the robot counts as upright: many times what sensor noise makes of it on the presets."""
+SMALLER = UPRIGHT / LEAN
+"""[1] Of that lean, one at which it still counts as upright: the motors' limits are far, and sin ψ is ψ."""
 SECONDS = 8.0
 
 
@@ -120,8 +122,13 @@ def reliefs(robot: Robot, kit: Kit, lean: float) -> list[tuple[Say, Robot, Kit, 
     return [
         (Say("Without the offsets of its sensors it stands."), robot, exact, lean),
         (Say("Without the noise and steps of its sensors it stands."), robot, quiet, lean),
-        (Say("Without dry friction, dead zone and backlash it stands."), robot.without_dry_friction(), smooth, lean),
-        (Say("Let go at {lean} it stands.", lean=Quantity(lean / 5, "rad")), robot, kit, lean / 5),
+        (
+            Say("Without dry friction, dead zone, voltage drop, command steps and backlash it stands."),
+            robot.without_dry_friction(),
+            smooth,
+            lean,
+        ),
+        (Say("Let go at {lean} it stands.", lean=Quantity(SMALLER * lean, "rad")), robot, kit, SMALLER * lean),
     ]
 
 

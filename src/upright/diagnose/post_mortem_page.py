@@ -213,9 +213,8 @@ def _next(result: FallExamined, push: Blow | None) -> Next:
         why = Say("It learns the robot of this log.")
         return Next("calibrate", log, robot=robot, output="robot.toml", why=why)
     if push and abs(push.impulse) < (1 + KNOWN) * push.most:
-        return Next(
-            "bench_controllers", robot=robot, why=Say("Until then push less. It compares controllers under pushes.")
-        )
+        why = Say("It compares controllers under pushes; until a better one runs, push less.")
+        return Next("bench_controllers", robot=robot, why=why)
     if PUSH in parts:
         why = Say("It finds the largest push that the robot survives, at each height.")
         if push and push.saves is not None:

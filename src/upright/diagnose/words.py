@@ -214,7 +214,7 @@ def nothing(evidence: Evidence) -> Say:
     if is_sound and evidence.run.robot.noise:
         return Say("Nothing shows beyond the noise of the robot's calibration.", nis=nis)
     if is_sound and evidence.ordinary < FOREIGN:
-        return Say("Robot and sensors are sound, and nothing else is large enough.", nis=nis)
+        return Say("Robot and sensors are sound, and no other cause explains the fall.", nis=nis)
     return Say("No single fault explains the filter's errors.", nis=nis)
 
 

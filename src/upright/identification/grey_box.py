@@ -29,8 +29,9 @@ def calibrated(study: Study) -> MethodFit:
     scale = value / pole.value  # one but for rounding where no dry friction brakes
     how = "curvature of the likelihood"
     free = (pole.value, pole.low, pole.high) if scale < 0.999 else None
-    notes = [Say("Not to be trusted: {reason}", reason=reason) for reason in result.refused] or [*result.check()]
-    notes += result.notes
+    uneven = [result.uneven] if result.uneven else []
+    refused = [Say("Not to be trusted: {reason}", reason=reason) for reason in result.refused]
+    notes = [*(refused or [*result.check(), *uneven]), *result.notes]
     alike = Pole(value, pole.low * scale, pole.high * scale, how=how, without_friction=free)
     return MethodFit(halves, alike, notes=tuple(notes))
 
