@@ -65,7 +65,7 @@ ATTRIBUTES = {
 CHOICES = {"light": [GREEN, AMBER, RED, UNKNOWN], "severity": list(SEVERITIES)}
 """Words of which there are no others."""
 
-VARIED = {"design"}
+VARIED = {"record"}
 """What each method says in its own words."""
 
 PARTS = ("summary",)

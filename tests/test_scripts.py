@@ -24,7 +24,7 @@ SAYS = {
     "python_control": r"7\.437",
     "read_log": r"wrong sign +gyro(.|\n)*another unit +encoders",
     "simulate": r"largest lean 0\.0\d+ rad",
-    "tune": r"for nxtway-gs (.|\n)*\d+ mm of travel instead of \d+ mm",
+    "tune": r"for nxtway-gs(.|\n)*\d+ mm of travel instead of \d+ mm",
     "sweep": r"fell in \d+ of 10000 runs",
 }
 """What each one must print. The pole of nxtway-gs, 7.437 1/s, and e-fold in 1/7.437 s are its linear model's
