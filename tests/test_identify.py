@@ -34,7 +34,7 @@ from upright.identification.rebuilt import _errors, rebuilt
 from upright.identification.samples import Part, samples
 from upright.identification.study import Study
 from upright.logs.raw import raw_log
-from upright.pages import html
+from upright.pages import Say, html
 from upright.physics.linear import LinearModel, linearise, unstable_pole
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
@@ -505,6 +505,7 @@ class Calibrated:
     delays: tuple[Estimate, ...] = ()
     refused: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
+    uneven: Say | None = None
 
     def __getitem__(self, _name: str) -> Estimate:
         return self.pole

@@ -41,6 +41,8 @@ class Decision(NamedTuple):
 def came_out(e: Estimate) -> Say:
     """That a number is far from the robot's file."""
     value = Quantity(e.value, e.unit)
+    low, high = e.before
+    before = Quantity(e.prior, e.unit, low=low, high=high)
     return Say(
-        "The {name} comes out at {value}; the file says {before}.", name=term(e.name), value=value, before=e.before
+        "The {name} comes out at {value}; the file says {before}.", name=term(e.name), value=value, before=before
     )
