@@ -253,17 +253,23 @@ def test_of_falls_that_cannot_be_told_apart_the_rest_decides() -> None:
     assert room._picked([default, risky]) is default
 
 
+def tuned_of(default: Figures, candidate: Figures, *, refused: bool = False) -> Tuned:
+    """A tuning of one candidate beside the default, which is chosen unless `refused`."""
+    points = (Point({"pitch": 0.15}, default), Point({"pitch": 0.1}, candidate))
+    picked = 0 if refused else 1
+    return Tuned(
+        method="lqg", robot="nxtway-gs", kit="nxt", seed=0, budget=2, evaluated=2, controller=lqg(NXT, KIT),
+        defaults=points[0].weights, weights=points[picked].weights, default=default, chosen=points[picked].figures,
+        front=points, picked=picked, refused=candidate if refused else None,
+    )  # fmt: skip
+
+
 @pytest.mark.parametrize(("light", "title", "change"), [
     ("green", "A better light: green instead of amber", "better"), ("amber", "Effort 6", "alike"),
 ])  # fmt: skip
 def test_a_light_is_better_or_worse_and_says_so(light: str, title: str, change: str) -> None:
     default, chosen = some(light="amber"), some(light=light, effort=9.0 if light == "green" else 6.0)
-    tuned = Tuned(
-        method="lqg", robot="nxtway-gs", kit="nxt", seed=0, budget=2, evaluated=2, controller=lqg(NXT, KIT),
-        defaults={"pitch": 0.15}, weights={"pitch": 0.1}, default=default, chosen=chosen,
-        front=(Point({"pitch": 0.15}, default), Point({"pitch": 0.1}, chosen)), picked=1, refused=None,
-    )  # fmt: skip
-    page = tuned.page()
+    page = tuned_of(default, chosen).page()
     assert str(page.title).startswith(title)
     (row,) = [row for row in page.blocks[0].rows if str(row[0]) == "light"]
     assert str(row[-1].text if hasattr(row[-1], "text") else row[-1]) == change
@@ -273,11 +279,7 @@ def test_a_light_is_better_or_worse_and_says_so(light: str, title: str, change: 
 def test_what_is_refused_is_told_in_numbers() -> None:
     """25 of 1000 fell where 18 did under the default: the page had said "worse in falls", without either."""
     default, refused = some(fallen=tuple(range(18))), some(fallen=tuple(range(25)), effort=6.0)
-    tuned = Tuned(
-        method="lqg", robot="nxtway-gs", kit="nxt", seed=0, budget=2, evaluated=2, controller=lqg(NXT, KIT),
-        defaults={"pitch": 0.15}, weights={"pitch": 0.15}, default=default, chosen=default,
-        front=(Point({"pitch": 0.15}, default), Point({"pitch": 0.1}, refused)), picked=0, refused=refused,
-    )  # fmt: skip
+    tuned = tuned_of(default, refused, refused=True)
     page = tuned.page()
     assert [str(fact) for fact in page.title.facts["worse"]] == ["falls"]
     assert str(page.numbers[0].value) == "18 → 25"

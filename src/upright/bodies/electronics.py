@@ -58,7 +58,8 @@ class Electronics:
         self.spec = replace(inner, kind=f"{inner.kind} with {kit.name} electronics", channels=channels, limit=limit)
         self._own = list[_Gyro | _FusedAngle]()
         senses = have.copy()  # places of what sensors sense: behind what the body reads those that have states
-        for name in sorted(sources, key=ANGLE.__eq__):  # the angle last, which is made of the gyro's reading
+        # the angle comes last, which is made of the gyro's reading
+        for name in sorted(sources, key=lambda name: name == ANGLE):
             places = [senses[source] for source in sources[name]]
             if len(places) > 1:
                 own = _FusedAngle(kit, places, inner) if name == ANGLE else _Gyro(kit.sensors[name], places, inner)

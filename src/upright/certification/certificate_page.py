@@ -100,7 +100,9 @@ def _numbers(c: Measurements) -> list[KeyNumber]:
     if c.linear and c.linear.stable and math.isfinite(c.linear.delay):
         unstable = Say("more delay at {place} makes the loop unstable", place=place_of(c.linear.delay_at))
         return [*numbers, KeyNumber(delay_of(c.linear.delay), unstable)]
-    stood = [t.travel for t in c.trials if t.fell < t.runs and c.light != RED]
+    if c.light == RED:  # where how far the others rolled decides nothing
+        return numbers
+    stood = [t.travel for t in c.trials if t.fell < t.runs]
     travel = Say("95 % of those that stood roll less far, in the worst push")
     return [*numbers, *([KeyNumber(Quantity(max(stood), "m"), travel)] if stood else [])]
 

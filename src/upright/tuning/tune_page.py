@@ -63,21 +63,12 @@ def _falls(tuned: Tuned) -> list[Say]:
     here, there = fell_once(now, was)
     if not here + there:
         return []
+    counts = {"here": here, "there": there}
     if now.falls_more(was) or was.falls_more(now):
         return [
-            Say(
-                "Fell with the candidate only: {here}; by default only: {there}. That is more than chance.",
-                here=here,
-                there=there,
-            )
+            Say("Fell with the candidate only: {here}; by default only: {there}. That is more than chance.", **counts)
         ]
-    return [
-        Say(
-            "Fell with the candidate only: {here}; by default only: {there}. That may be chance.",
-            here=here,
-            there=there,
-        )
-    ]
+    return [Say("Fell with the candidate only: {here}; by default only: {there}. That may be chance.", **counts)]
 
 
 def _verdict(tuned: Tuned) -> Verdict:
